@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# VTK, alone or through ParaView. `PELLUCID_VTK_COMPONENTS` is also what an installed package asks for.
+set(PELLUCID_VTK_COMPONENTS
+  CommonColor
+  CommonCore
+  CommonDataModel
+  CommonExecutionModel
+  CommonMath
+  CommonTransforms
+  FiltersCore
+  FiltersFlowPaths
+  FiltersGeneral
+  FiltersGeometry
+  FiltersModeling
+  FiltersSources
+  IOGeometry
+  IOImage
+  IOLegacy
+  IOParallel
+  IOPLY
+  IOXML
+  InteractionStyle
+  RenderingAnnotation
+  RenderingCore
+  RenderingFreeType
+  RenderingOpenGL2
+  RenderingVolumeOpenGL2)
+
+set(pellucid_vtk_optional_components WrappingPythonCore Python)
+if (BUILD_TESTING)
+  list(APPEND pellucid_vtk_optional_components TestingRendering)
+endif ()
+
+if (PELLUCID_BUILD_PLUGIN)
+  # VTK comes with ParaView; a VTK_DIR left from an earlier configuration would silently win.
+  unset(VTK_DIR CACHE)
+  find_package(ParaView 5.11 REQUIRED
+    COMPONENTS RemotingCore RemotingServerManager RemotingViews
+    OPTIONAL_COMPONENTS pvpython pvbatch)
+  find_package(VTK REQUIRED
+    COMPONENTS ${PELLUCID_VTK_COMPONENTS}
+    OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
+else ()
+  find_package(VTK 9.2 REQUIRED
+    COMPONENTS ${PELLUCID_VTK_COMPONENTS}
+    OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
+endif ()
+message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
