@@ -26,6 +26,10 @@ set(pellucid_test_baselines "${PROJECT_SOURCE_DIR}/Testing/Data/Baseline")
 set(pellucid_test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
 file(MAKE_DIRECTORY "${pellucid_test_output}")
 
+# The package of the build tree, and what the Python tests share.
+set(pellucid_python_path
+  "PYTHONPATH=${CMAKE_BINARY_DIR}/${pellucid_python_destination}:${PROJECT_SOURCE_DIR}/Testing/Python")
+
 # What VTK's own tests take as failure, and what Mesa says when MESA_DEBUG is set and a call is wrong.
 set(pellucid_test_failures
   "(\n|^)ERROR: "
