@@ -26,10 +26,6 @@ set(pellucid_test_baselines "${PROJECT_SOURCE_DIR}/Testing/Data/Baseline")
 set(pellucid_test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
 file(MAKE_DIRECTORY "${pellucid_test_output}")
 
-# The package of the build tree, and what the Python tests share.
-set(pellucid_python_path
-  "PYTHONPATH=${CMAKE_BINARY_DIR}/${pellucid_python_destination}:${PROJECT_SOURCE_DIR}/Testing/Python")
-
 # What VTK's own tests take as failure, and what Mesa says when MESA_DEBUG is set and a call is wrong.
 set(pellucid_test_failures
   "(\n|^)ERROR: "
@@ -117,5 +113,28 @@ function (pellucid_add_cxx_tests driver)
   foreach (test IN LISTS cxx_TESTS)
     pellucid_add_test(NAME "${test}" LABELS ${cxx_LABELS} TIMEOUT "${cxx_TIMEOUT}" ${options}
       COMMAND "$<TARGET_FILE:${driver}>" "${test}")
+  endforeach ()
+endfunction ()
+
+#[[
+pellucid_add_python_tests(<interpreter> LABELS <label>... TESTS <test>...
+                          [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...])
+
+Add tests that the interpreter runs: TestX.py of each test TestX, a module of unittest cases that
+finds the package of the build tree and Testing/Python/pictures.py.
+]]
+function (pellucid_add_python_tests interpreter)
+  cmake_parse_arguments(PARSE_ARGV 1 python "WINDOW" "TIMEOUT" "LABELS;TESTS;ENVIRONMENT")
+  set(options "")
+  if (python_WINDOW)
+    list(APPEND options WINDOW)
+  endif ()
+  set(package "${CMAKE_BINARY_DIR}/${pellucid_python_destination}")
+  set(shared "${PROJECT_SOURCE_DIR}/Testing/Python")
+  foreach (test IN LISTS python_TESTS)
+    pellucid_add_test(NAME "${test}" LABELS ${python_LABELS} TIMEOUT "${python_TIMEOUT}" ${options}
+      COMMAND "${interpreter}" "${shared}/run.py" "${CMAKE_CURRENT_SOURCE_DIR}/${test}.py"
+        -B "${pellucid_test_baselines}"
+      ENVIRONMENT "PYTHONPATH=${package}:${shared}" ${python_ENVIRONMENT})
   endforeach ()
 endfunction ()

@@ -2,16 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The representation "Pellucid" draws stream lines, and its view is exact while it is visible."""
 
-import sys
+import os
 import unittest
 
 from paraview import simple
 
 import pellucid
 from pictures import picture
-
-PLUGIN = sys.argv[1]
-
 
 def stream_lines():
     """Twenty lines through the gradient of ParaView's wavelet."""
@@ -28,7 +25,7 @@ def stream_lines():
 class TestPluginRepresentation(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
+        simple.LoadPlugin(os.environ["PELLUCID_PLUGIN"], remote=False, ns=vars(simple))
 
     def setUp(self):
         self.view = simple.CreateView("RenderView", ViewSize=[200, 200], OrientationAxesVisibility=0)
@@ -86,4 +83,4 @@ class TestPluginRepresentation(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pellucid.install makes a renderer exact, pellucid.uninstall gives it back to VTK."""
 
-import sys
 import unittest
 
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -72,4 +71,4 @@ class TestInstall(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()
