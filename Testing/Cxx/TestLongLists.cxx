@@ -46,8 +46,8 @@ bool TestStack(int layers, double opacity, int size)
     std::to_string(layers) + " layers of opacity " + std::to_string(opacity) + ": ";
   const LayerStack stack(layers, opacity);
   const Result result = RenderStack(stack, 1, size, 1024);
-  bool passed = Check(result.LongestList == layers,
-    name + "longest list is " + std::to_string(result.LongestList));
+  bool passed = Check(
+    result.LongestList == layers, name + "longest list is " + std::to_string(result.LongestList));
   passed &= Check(result.Fragments == static_cast<vtkIdType>(layers) * size * size,
     name + "stored " + std::to_string(result.Fragments) + " fragments");
 
@@ -55,7 +55,8 @@ bool TestStack(int layers, double opacity, int size)
   double largest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    largest = std::max(largest, std::abs(result.Image.GetPixel(size / 2, size / 2)[i] - expected[i]));
+    largest =
+      std::max(largest, std::abs(result.Image.GetPixel(size / 2, size / 2)[i] - expected[i]));
   }
   // Half a step is rounding; another half is the rounding of the background.
   passed &= Check(largest <= 1.0, name + "differs by " + std::to_string(largest));
@@ -71,9 +72,9 @@ int TestLongLists(int, char*[])
   bool passed = true;
   const int run = 16;
   const int shaderLimit = 2048;
-  for (int layers : { 1, 2, run - 1, run, run + 1, 2 * run, 2 * run + 1, 64, 500, 1000,
-         shaderLimit - 1, shaderLimit, shaderLimit + 1, shaderLimit + run, shaderLimit + run + 1,
-         5000 })
+  for (int layers :
+    { 1, 2, run - 1, run, run + 1, 2 * run, 2 * run + 1, 64, 500, 1000, shaderLimit - 1,
+      shaderLimit, shaderLimit + 1, shaderLimit + run, shaderLimit + run + 1, 5000 })
   {
     passed &= TestStack(layers, 1.0 / (layers + 1), 3);
   }
