@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkFragmentLists.h"
+
+#include "vtkLongFragmentList.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+// Sorted lists that the binary counter of the sort needs for the longest list it takes.
+constexpr int GetNumberOfListLevels()
+{
+  int levels = 1;
+  int runs = vtkFragmentLists::MaximumShaderList / vtkFragmentLists::RunLength + 1;
+  while (runs > 1)
+  {
+    runs /= 2;
+    ++levels;
+  }
+  return levels;
+}
+
+/** Maps a whole buffer for the life of the object. */
+template <typename T>
+class MappedBuffer
+{
+public:
+  MappedBuffer(GLuint handle, vtkIdType bytes)
+    : Handle(handle)
+  {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, handle);
+    this->Data = static_cast<T*>(
+      glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT));
+  }
+  ~MappedBuffer()
+  {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handle);
+    glUnmapBuffer(GL_SHADER_STORAGE_BUFFER);
+  }
+  MappedBuffer(const MappedBuffer&) = delete;
+  void operator=(const MappedBuffer&) = delete;
+  T* Data = nullptr;
+
+private:
+  GLuint Handle;
+};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFragmentLists::GetShaderDefinitions(int samples)
+{
+  std::ostringstream definitions;
+  const auto define = [&definitions](const char* name, auto value)
+  { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
+  define("HEADS_BINDING", static_cast<int>(Heads));
+  define("LINKS_BINDING", static_cast<int>(Links));
+  define("COLORS_BINDING", static_cast<int>(Colors));
+  define("LONG_LISTS_BINDING", static_cast<int>(LongLists));
+  define("SAMPLES", samples);
+  define("MAXIMUM_SHADER_LIST", MaximumShaderList);
+  define("RUN_LENGTH", RunLength);
+  define("LIST_LEVELS", GetNumberOfListLevels());
+  define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
+  return definitions.str();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::GetLargestNodeCapacity()
+{
+  GLint64 blockBytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &blockBytes);
+  // Node 0 takes room too, and the shader compares with a signed 32-bit capacity.
+  return std::min<vtkIdType>(
+    blockBytes / sizeof(Link) - 1, std::numeric_limits<std::int32_t>::max());
+}
+
+//------------------------------------------------------------------------------
+bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
+{
+  if (this->Bytes[buffer] >= bytes)
+  {
+    return true;
+  }
+  if (!this->Handles[buffer])
+  {
+    glGenBuffers(1, &this->Handles[buffer]);
+  }
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[buffer]);
+  vtkOpenGLClearErrorMacro();
+  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  const bool allocated = glGetError() == GL_NO_ERROR;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  this->Bytes[buffer] = allocated ? bytes : 0;
+  return allocated;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples)
+{
+  const vtkIdType longLists = nodes / MaximumShaderList + 1;
+  const vtkIdType nodeElements = std::max(nodes, this->NodeCapacity) + 1;
+  const bool allocated =
+    this->Allocate(Heads, static_cast<vtkIdType>(sizeof(Counters)) + pixels * BytesPerPixel) &&
+    this->Allocate(Links, nodeElements * static_cast<vtkIdType>(sizeof(Link))) &&
+    this->Allocate(Colors, nodeElements * static_cast<vtkIdType>(sizeof(Color))) &&
+    this->Allocate(
+      LongLists, longLists * (1 + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t)));
+  this->NodeCapacity = allocated ? nodeElements - 1 : 0;
+  return allocated;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::GetBytes() const
+{
+  vtkIdType bytes = 0;
+  for (const vtkIdType bufferBytes : this->Bytes)
+  {
+    bytes += bufferBytes;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::Clear(vtkIdType pixels)
+{
+  const GLuint zero = 0;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Heads]);
+  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
+    static_cast<GLsizeiptr>(sizeof(Counters)) + pixels * BytesPerPixel, GL_RED_INTEGER,
+    GL_UNSIGNED_INT, &zero);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::Bind() const
+{
+  for (GLuint buffer = 0; buffer < NumberOfBuffers; ++buffer)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, buffer, this->Handles[buffer]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::Unbind()
+{
+  for (GLuint buffer = 0; buffer < NumberOfBuffers; ++buffer)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, buffer, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentLists::Counters vtkFragmentLists::ReadCounters() const
+{
+  Counters counters;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Heads]);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(counters), &counters);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  return counters;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::CollapseLongLists(std::uint32_t count, int samples)
+{
+  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  MappedBuffer<std::uint32_t> heads(this->Handles[Heads], this->Bytes[Heads]);
+  MappedBuffer<Link> links(this->Handles[Links], this->Bytes[Links]);
+  MappedBuffer<Color> colors(this->Handles[Colors], this->Bytes[Colors]);
+  MappedBuffer<std::uint32_t> entries(this->Handles[LongLists], this->Bytes[LongLists]);
+  std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
+
+  std::vector<vtkIdType> lengths(count);
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const std::uint32_t* entry = entries.Data + i * (1 + samples);
+        vtkLongFragmentList list(links.Data, colors.Data, pixelHeads[entry[0]]);
+        lengths[i] = list.GetLength();
+        list.Collapse(entry + 1, samples);
+      }
+    });
+  return *std::max_element(lengths.begin(), lengths.end());
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::Release()
+{
+  glDeleteBuffers(NumberOfBuffers, this->Handles.data());
+  this->Handles.fill(0);
+  this->Bytes.fill(0);
+  this->NodeCapacity = 0;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The buffers of the per-pixel fragment lists of one tile, and the shader constants that describe
+ * them. glsl/vtkFragmentListsDec.glsl is the other side of this class.
+ *
+ * | buffer     | element | content                                                            |
+ * | ---------- | ------- | ------------------------------------------------------------------ |
+ * | Heads      | uint    | four counters, then the first node of each pixel of the tile       |
+ * | Links      | uvec2   | next node (0: none), window depth as bits                          |
+ * | Colors     | uvec2   | straight colour and opacity, 64 bits                               |
+ * | LongLists  | uint    | lists for the CPU: pixel, then opaque depth of each sample         |
+ *
+ * Node 0 does not exist, so that 0 can end a list and clearing to 0 empties all of them.
+ * A current OpenGL 4.3 context is needed by every function but the static ones.
+ */
+
+#ifndef vtkFragmentLists_h
+#define vtkFragmentLists_h
+
+#include "vtkOpenGLError.h" // for OpenGL itself, through the loader that this VTK uses
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkFragmentLists
+{
+public:
+  /** Lists of up to this length are sorted by the shader; see glsl/vtkFragmentSortFS.glsl. */
+  static constexpr int MaximumShaderList = 2048;
+  static constexpr int RunLength = 16;
+  static constexpr vtkIdType BytesPerNode = 16;
+  static constexpr vtkIdType BytesPerPixel = 4;
+
+  struct Counters
+  {
+    std::uint32_t Fragments = 0;
+    std::uint32_t FragmentsHigh = 0;
+    std::uint32_t LongestList = 0;
+    std::uint32_t LongLists = 0;
+
+    vtkIdType GetFragments() const
+    {
+      return static_cast<vtkIdType>(this->FragmentsHigh) << 32 | this->Fragments;
+    }
+  };
+
+  /** A node as the CPU sees it while it works on long lists. */
+  struct Link
+  {
+    std::uint32_t Next;
+    std::uint32_t DepthBits;
+  };
+  struct Color
+  {
+    std::uint32_t Low;
+    std::uint32_t High;
+  };
+
+  vtkFragmentLists() = default;
+  ~vtkFragmentLists() = default;
+  vtkFragmentLists(const vtkFragmentLists&) = delete;
+  void operator=(const vtkFragmentLists&) = delete;
+
+  /** `#define`s for the shaders. `samples` is the number of samples of the target, at least 1. */
+  static std::string GetShaderDefinitions(int samples);
+
+  /** Most nodes that one buffer of this context can hold, whatever the memory limit. */
+  static vtkIdType GetLargestNodeCapacity();
+
+  /**
+   * Make room for the heads of so many pixels and so many nodes; never shrinks. Returns false, with
+   * the old capacity untouched or 0, when OpenGL is out of memory.
+   */
+  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples);
+  vtkIdType GetNodeCapacity() const { return this->NodeCapacity; }
+  vtkIdType GetBytes() const;
+
+  /** Empty the lists of so many pixels and the counters. */
+  void Clear(vtkIdType pixels);
+  void Bind() const;
+  static void Unbind();
+  Counters ReadCounters() const;
+
+  /**
+   * Sort and composite on the CPU the lists that were too long for the shader. Each becomes one
+   * node for every group of fragments that the same samples see, so that the resolve composites it
+   * like any other. Returns the longest length.
+   */
+  vtkIdType CollapseLongLists(std::uint32_t count, int samples);
+
+  void Release();
+
+private:
+  enum Buffer
+  {
+    Heads,
+    Links,
+    Colors,
+    LongLists,
+    NumberOfBuffers
+  };
+  bool Allocate(Buffer buffer, vtkIdType bytes);
+
+  std::array<GLuint, NumberOfBuffers> Handles{};
+  std::array<vtkIdType, NumberOfBuffers> Bytes{};
+  vtkIdType NodeCapacity = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

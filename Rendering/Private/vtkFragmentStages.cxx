@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkFragmentStages.h"
+
+#include "vtkFragmentLists.h"
+#include "vtkFragmentListsDec.h"
+#include "vtkFragmentResolveFS.h"
+#include "vtkFragmentSortFS.h"
+#include "vtkFragmentStageVS.h"
+#include "vtkOpaqueDepthDec.h"
+#include "vtkOpaqueLayer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectangle& tile)
+{
+  program->SetUniform2i("pellucidTileOrigin", tile.Origin.data());
+  program->SetUniform2i("pellucidTileSize", tile.Size.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const char* fragmentShader, bool sampleShading)
+{
+  std::string definitions = vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples());
+  definitions += "#define PELLUCID_SAMPLE_SHADING " + std::to_string(sampleShading ? 1 : 0) + "\n";
+  std::string source = fragmentShader;
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Definitions", definitions);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::OpaqueDepth", vtkOpaqueDepthDec);
+
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  vtkShaderProgram* program =
+    cache->ReadyShaderProgram(vtkFragmentStageVS, source.c_str(), "", nullptr);
+  if (!program)
+  {
+    return;
+  }
+  vtkFragmentStages::SetTile(program, tile);
+  opaque.SetUniforms(program);
+
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  cache->ReleaseCurrentShader();
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Sort(
+  vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
+{
+  this->Draw(window, opaque, tile, vtkFragmentSortFS, false);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Resolve(
+  vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
+{
+  this->Draw(window, opaque, tile, vtkFragmentResolveFS, false);
+  if (opaque.GetSamples() > 1)
+  {
+    this->Draw(window, opaque, tile, vtkFragmentResolveFS, true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Release()
+{
+  glDeleteVertexArrays(1, &this->VertexArray);
+  this->VertexArray = 0;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The image-space stages on the fragment lists of one tile: sort and resolve. Each draws one
+ * triangle over the tile with a program of its own.
+ */
+
+#ifndef vtkFragmentStages_h
+#define vtkFragmentStages_h
+
+#include "vtkFragmentTiles.h" // for vtkPixelRectangle
+#include "vtkOpenGLError.h"   // for OpenGL itself, through the loader that this VTK uses
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkOpaqueLayer;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+class vtkFragmentStages
+{
+public:
+  vtkFragmentStages() = default;
+  ~vtkFragmentStages() = default;
+  vtkFragmentStages(const vtkFragmentStages&) = delete;
+  void operator=(const vtkFragmentStages&) = delete;
+
+  /**
+   * Sort the lists of the tile in place. The framebuffer must have no colour buffer, or colour
+   * writes must be off.
+   */
+  void Sort(
+    vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+
+  /**
+   * Composite the sorted lists over the opaque layer into the current framebuffer. May be repeated:
+   * the result does not depend on what the framebuffer holds.
+   */
+  void Resolve(
+    vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+
+  /** Set the uniforms of glsl/vtkFragmentListsDec.glsl. */
+  static void SetTile(vtkShaderProgram* program, const vtkPixelRectangle& tile);
+
+  void Release();
+
+private:
+  void Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, const char* fragmentShader, bool sampleShading);
+
+  GLuint VertexArray = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

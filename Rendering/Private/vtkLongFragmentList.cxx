@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkLongFragmentList.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <tuple>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+using Color = vtkFragmentLists::Color;
+
+/** Straight colour and opacity. */
+struct Layer
+{
+  std::array<double, 3> Rgb{};
+  double Alpha = 0.0;
+};
+
+// The inverse of pellucidPackColor in glsl/vtkFragmentListsDec.glsl.
+Layer Unpack(const Color& color)
+{
+  const std::uint32_t alphaBits = (color.High >> 7) << 6;
+  float alpha = 0.0f;
+  std::memcpy(&alpha, &alphaBits, sizeof(alpha));
+  const std::array<std::uint32_t, 3> rgb{ color.Low & 8191u, (color.Low >> 13) & 8191u,
+    (color.Low >> 26) | ((color.High & 127u) << 6) };
+  return { { rgb[0] / 8191.0, rgb[1] / 8191.0, rgb[2] / 8191.0 }, alpha };
+}
+
+Color Pack(const Layer& layer)
+{
+  std::array<std::uint32_t, 3> rgb{};
+  std::transform(layer.Rgb.begin(), layer.Rgb.end(), rgb.begin(),
+    [](double component)
+    { return static_cast<std::uint32_t>(std::lround(std::clamp(component, 0.0, 1.0) * 8191.0)); });
+  const float alpha = static_cast<float>(std::min(layer.Alpha, 1.0));
+  std::uint32_t alphaBits = 0;
+  std::memcpy(&alphaBits, &alpha, sizeof(alpha));
+  alphaBits = (alphaBits + 32u) >> 6;
+  return { rgb[0] | (rgb[1] << 13) | (rgb[2] << 26), (rgb[2] >> 6) | (alphaBits << 7) };
+}
+
+/** Front-to-back accumulation, premultiplied. */
+class Accumulator
+{
+public:
+  void Add(const Layer& layer)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Rgb[i] += this->Transmittance * layer.Alpha * layer.Rgb[i];
+    }
+    this->Transmittance *= 1.0 - layer.Alpha;
+  }
+  Layer GetLayer() const
+  {
+    Layer layer;
+    layer.Alpha = 1.0 - this->Transmittance;
+    if (layer.Alpha > 0.0)
+    {
+      std::transform(this->Rgb.begin(), this->Rgb.end(), layer.Rgb.begin(),
+        [&layer](double component) { return component / layer.Alpha; });
+    }
+    return layer;
+  }
+
+private:
+  std::array<double, 3> Rgb{};
+  double Transmittance = 1.0;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkLongFragmentList::vtkLongFragmentList(
+  vtkFragmentLists::Link* links, vtkFragmentLists::Color* colors, std::uint32_t head)
+  : Links(links)
+  , Colors(colors)
+  , Head(head)
+{
+  for (std::uint32_t node = head; node != 0; node = links[node].Next)
+  {
+    this->Fragments.push_back({ links[node].DepthBits, colors[node] });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLongFragmentList::Collapse(const std::uint32_t* opaqueLimits, int samples)
+{
+  // The same order as isBefore in glsl/vtkFragmentSortFS.glsl.
+  std::sort(this->Fragments.begin(), this->Fragments.end(),
+    [](const auto& a, const auto& b)
+    {
+      return std::tie(a.DepthBits, a.Color.High, a.Color.Low) <
+        std::tie(b.DepthBits, b.Color.High, b.Color.Low);
+    });
+  std::vector<std::uint32_t> limits(opaqueLimits, opaqueLimits + samples);
+  std::sort(limits.begin(), limits.end());
+
+  std::uint32_t node = this->Head;
+  auto limit = limits.begin();
+  auto fragment = this->Fragments.begin();
+  while (fragment != this->Fragments.end())
+  {
+    limit = std::lower_bound(limit, limits.end(), fragment->DepthBits);
+    const auto groupEnd = limit == limits.end()
+      ? this->Fragments.end()
+      : std::find_if(fragment, this->Fragments.end(),
+          [&limit](const Fragment& candidate) { return candidate.DepthBits > *limit; });
+    Accumulator accumulator;
+    std::for_each(fragment, groupEnd,
+      [&accumulator](const Fragment& member) { accumulator.Add(Unpack(member.Color)); });
+    this->Colors[node] = Pack(accumulator.GetLayer());
+    this->Links[node].DepthBits = fragment->DepthBits;
+    fragment = groupEnd;
+    if (fragment == this->Fragments.end())
+    {
+      this->Links[node].Next = 0;
+    }
+    node = this->Links[node].Next;
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One fragment list on the CPU, for lists that are too long for a shader. Works in place on the
+ * mapped buffers of vtkFragmentLists; needs no OpenGL itself.
+ */
+
+#ifndef vtkLongFragmentList_h
+#define vtkLongFragmentList_h
+
+#include "vtkFragmentLists.h"
+
+#include <cstdint>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkLongFragmentList
+{
+public:
+  /** The list that starts at node `head`, in any order. */
+  vtkLongFragmentList(
+    vtkFragmentLists::Link* links, vtkFragmentLists::Color* colors, std::uint32_t head);
+
+  vtkIdType GetLength() const { return static_cast<vtkIdType>(this->Fragments.size()); }
+
+  /**
+   * Sort the list, composite in double precision all fragments between two neighbouring opaque
+   * depths into one node, and link these nodes from the head on. `opaqueLimits` are the farthest
+   * depths, as bits, at which a fragment is in front of each sample.
+   */
+  void Collapse(const std::uint32_t* opaqueLimits, int samples);
+
+private:
+  struct Fragment
+  {
+    std::uint32_t DepthBits;
+    vtkFragmentLists::Color Color;
+  };
+
+  vtkFragmentLists::Link* Links;
+  vtkFragmentLists::Color* Colors;
+  std::uint32_t Head;
+  std::vector<Fragment> Fragments;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

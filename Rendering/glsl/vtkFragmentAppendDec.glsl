@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Gather: added to the fragment shader of every mapper, after vtkFragmentListsDec and vtkOpaqueDepthDec.
+//
+// Reads: the opaque depth. Writes: one node, and the head of its pixel.
+
+uniform int pellucidNodeCapacity; // nodes 1..capacity may be written
+
+// Window depth as it is stored; NaN becomes 0
+float pellucidStoredDepth(float depth)
+{
+  return depth > 0.0 ? min(depth, 1.0) : 0.0;
+}
+
+bool pellucidIsHidden(float depth)
+{
+  return pellucidStoredDepth(depth) > pellucidFarthestOpaqueLimit(ivec2(gl_FragCoord.xy));
+}
+
+void pellucidAppend(vec4 color, float depth)
+{
+  int pixel = pellucidPixelIndex(ivec2(gl_FragCoord.xy));
+  if (!(color.a > 0.0) || pixel < 0)
+  {
+    return;
+  }
+  uint node = atomicAdd(pellucidFragmentCount, 1u) + 1u;
+  if (node == 0u)
+  {
+    atomicAdd(pellucidFragmentCountHigh, 1u);
+  }
+  else if (node <= uint(pellucidNodeCapacity))
+  {
+    uint next = atomicExchange(pellucidHeads[pixel], node);
+    pellucidLinks[node] = uvec2(next, floatBitsToUint(pellucidStoredDepth(depth)));
+    pellucidColors[node] = pellucidPackColor(color.rgb, color.a);
+  }
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The per-pixel fragment lists, as every stage sees them; the C++ side is vtkFragmentLists.
+// Constants PELLUCID_... come from vtkFragmentLists::GetShaderDefinitions().
+//
+// Declares: the buffers of heads, links, colours and long lists; the tile that they cover.
+
+layout(std430, binding = PELLUCID_HEADS_BINDING) buffer PellucidHeads
+{
+  uint pellucidFragmentCount;     // fragments that asked for a node, modulo 2^32
+  uint pellucidFragmentCountHigh; // multiples of 2^32
+  uint pellucidLongestList;       // of the lists that the sort saw as a whole
+  uint pellucidLongListCount;     // lists that are left to the CPU
+  uint pellucidHeads[];           // first node of each pixel of the tile, 0: none
+};
+
+// x: the next node, 0 at the end; y: window depth as bits, which order as the non-negative floats do
+layout(std430, binding = PELLUCID_LINKS_BINDING) buffer PellucidLinks
+{
+  uvec2 pellucidLinks[];
+};
+
+// Straight colour, 13 bits a component, and opacity as the upper 25 bits below the sign of a float
+layout(std430, binding = PELLUCID_COLORS_BINDING) buffer PellucidColors
+{
+  uvec2 pellucidColors[];
+};
+
+// For each long list: pixel, then the depth of each sample of the opaque scene
+layout(std430, binding = PELLUCID_LONG_LISTS_BINDING) buffer PellucidLongLists
+{
+  uint pellucidLongLists[];
+};
+
+// In window pixels
+uniform ivec2 pellucidTileOrigin;
+uniform ivec2 pellucidTileSize;
+
+// Index of the window pixel in the tile, -1 outside
+int pellucidPixelIndex(ivec2 windowPixel)
+{
+  ivec2 pixel = windowPixel - pellucidTileOrigin;
+  bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, pellucidTileSize));
+  return inside ? pixel.y * pellucidTileSize.x + pixel.x : -1;
+}
+
+// To [0,1]; NaN becomes 0, which clamp() leaves undefined
+vec3 pellucidSaturate(vec3 value)
+{
+  return mix(vec3(0.0), min(value, vec3(1.0)), greaterThan(value, vec3(0.0)));
+}
+
+uvec2 pellucidPackColor(vec3 color, float opacity)
+{
+  uvec3 rgb = uvec3(pellucidSaturate(color) * 8191.0 + 0.5);
+  uint alpha = (floatBitsToUint(min(opacity, 1.0)) + 32u) >> 6;
+  return uvec2(rgb.r | (rgb.g << 13) | (rgb.b << 26), (rgb.b >> 6) | (alpha << 7));
+}
+
+vec4 pellucidUnpackColor(uvec2 words)
+{
+  uvec3 rgb =
+    uvec3(words.x & 8191u, (words.x >> 13) & 8191u, (words.x >> 26) | ((words.y & 127u) << 6));
+  return vec4(vec3(rgb) / 8191.0, uintBitsToFloat((words.y >> 7) << 6));
+}

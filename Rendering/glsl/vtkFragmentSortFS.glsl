@@ -1,0 +1,161 @@
+#version 430
+//VTK::Pellucid::Definitions
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sort: each list front to back, in place. Runs of PELLUCID_RUN_LENGTH nodes are sorted by insertion
+// in local memory and merged through a binary counter of sorted lists, so that a short list costs
+// one insertion sort and a long one n log n steps. Lists above PELLUCID_MAXIMUM_SHADER_LIST are
+// noted for the CPU: software renderers end a shader invocation after some 65,000 loop iterations.
+//
+// Reads and writes: links, heads. Reads: colours of fragments of equal depth. Writes: the longest
+// list, the long lists. No colour output.
+
+//VTK::Pellucid::Lists
+//VTK::Pellucid::OpaqueDepth
+
+// Nearer first; then less opaque, then by colour. Nodes equal in all this are interchangeable.
+bool isBefore(uint a, uint depthA, uint b, uint depthB)
+{
+  if (depthA != depthB)
+  {
+    return depthA < depthB;
+  }
+  uvec2 colorA = pellucidColors[a];
+  uvec2 colorB = pellucidColors[b];
+  return colorA.y != colorB.y ? colorA.y < colorB.y : colorA.x < colorB.x;
+}
+
+// Both lists are not empty
+uint merge(uint a, uint b)
+{
+  uint depthA = pellucidLinks[a].y;
+  uint depthB = pellucidLinks[b].y;
+  uint first = 0u;
+  uint last = 0u;
+  while (a != 0u && b != 0u)
+  {
+    bool takeB = isBefore(b, depthB, a, depthA);
+    uint node = takeB ? b : a;
+    uint next = pellucidLinks[node].x;
+    if (last == 0u)
+    {
+      first = node;
+    }
+    else
+    {
+      pellucidLinks[last].x = node;
+    }
+    last = node;
+    uint nextDepth = next == 0u ? 0u : pellucidLinks[next].y;
+    if (takeB)
+    {
+      b = next;
+      depthB = nextDepth;
+    }
+    else
+    {
+      a = next;
+      depthA = nextDepth;
+    }
+  }
+  pellucidLinks[last].x = a != 0u ? a : b;
+  return first;
+}
+
+void noteLongList(int pixel)
+{
+  uint entry = atomicAdd(pellucidLongListCount, 1u) * uint(1 + PELLUCID_SAMPLES);
+  pellucidLongLists[entry] = uint(pixel);
+  for (int sampleIndex = 0; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
+  {
+    pellucidLongLists[entry + 1u + uint(sampleIndex)] =
+      floatBitsToUint(pellucidOpaqueLimit(ivec2(gl_FragCoord.xy), sampleIndex));
+  }
+}
+
+void main()
+{
+  int pixel = pellucidPixelIndex(ivec2(gl_FragCoord.xy));
+  uint node = pixel < 0 ? 0u : pellucidHeads[pixel];
+  if (node == 0u)
+  {
+    return;
+  }
+
+  uint lists[PELLUCID_LIST_LEVELS]; // at level k: 0, or a sorted list of PELLUCID_RUN_LENGTH * 2^k
+  for (int level = 0; level < PELLUCID_LIST_LEVELS; ++level)
+  {
+    lists[level] = 0u;
+  }
+
+  uint length = 0u;
+  uint sorted = 0u;
+  while (node != 0u && length <= uint(PELLUCID_MAXIMUM_SHADER_LIST))
+  {
+    uint nodes[PELLUCID_RUN_LENGTH];
+    uint depths[PELLUCID_RUN_LENGTH];
+    int count = 0;
+    while (node != 0u && count < PELLUCID_RUN_LENGTH)
+    {
+      uvec2 link = pellucidLinks[node];
+      int slot = count;
+      while (slot > 0 && isBefore(node, link.y, nodes[slot - 1], depths[slot - 1]))
+      {
+        nodes[slot] = nodes[slot - 1];
+        depths[slot] = depths[slot - 1];
+        --slot;
+      }
+      nodes[slot] = node;
+      depths[slot] = link.y;
+      ++count;
+      node = link.x;
+    }
+    length += uint(count);
+    for (int i = 0; i < count; ++i)
+    {
+      pellucidLinks[nodes[i]].x = i + 1 < count ? nodes[i + 1] : 0u;
+    }
+    sorted = nodes[0];
+    if (node != 0u || length > uint(PELLUCID_RUN_LENGTH))
+    {
+      int level = 0;
+      while (lists[level] != 0u)
+      {
+        sorted = merge(lists[level], sorted);
+        lists[level] = 0u;
+        ++level;
+      }
+      lists[level] = sorted;
+    }
+  }
+
+  if (length > uint(PELLUCID_RUN_LENGTH))
+  {
+    sorted = 0u;
+    for (int level = 0; level < PELLUCID_LIST_LEVELS; ++level)
+    {
+      if (lists[level] != 0u)
+      {
+        sorted = sorted == 0u ? lists[level] : merge(lists[level], sorted);
+      }
+    }
+  }
+
+  if (node != 0u)
+  {
+    // The nodes that have been read are in `sorted`; hang the rest behind them.
+    uint last = sorted;
+    for (uint i = 1u; i < length; ++i)
+    {
+      last = pellucidLinks[last].x;
+    }
+    pellucidLinks[last].x = node;
+    noteLongList(pixel);
+  }
+  else if (length > pellucidLongestList)
+  {
+    atomicMax(pellucidLongestList, length);
+  }
+  pellucidHeads[pixel] = sorted;
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Depth of the opaque scene; the C++ side is vtkOpaqueLayer.
+// PELLUCID_SAMPLES is the number of samples of the target, 1 without multisampling.
+//
+// Reads: the copied depth. Declares: the farthest depth at which a fragment is still in front.
+
+#if PELLUCID_SAMPLES > 1
+uniform sampler2DMS pellucidOpaqueDepth;
+#else
+uniform sampler2D pellucidOpaqueDepth;
+#endif
+uniform ivec2 pellucidOpaqueOrigin;    // window pixel of texel 0, 0
+uniform float pellucidDepthResolution; // one step of the depth buffer
+
+float pellucidOpaqueLimit(ivec2 windowPixel, int sampleIndex)
+{
+  return texelFetch(pellucidOpaqueDepth, windowPixel - pellucidOpaqueOrigin,
+#if PELLUCID_SAMPLES > 1
+    sampleIndex
+#else
+    0
+#endif
+    ).r + pellucidDepthResolution;
+}
+
+// A fragment behind this is hidden in every sample of the pixel
+float pellucidFarthestOpaqueLimit(ivec2 windowPixel)
+{
+  float limit = pellucidOpaqueLimit(windowPixel, 0);
+  for (int sampleIndex = 1; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
+  {
+    limit = max(limit, pellucidOpaqueLimit(windowPixel, sampleIndex));
+  }
+  return limit;
+}

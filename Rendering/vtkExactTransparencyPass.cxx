@@ -1,0 +1,517 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkExactTransparencyPass.h"
+
+#include "Private/vtkFragmentLists.h"
+#include "Private/vtkFragmentStages.h"
+#include "Private/vtkFragmentTiles.h"
+#include "Private/vtkOpaqueLayer.h"
+#include "Private/vtkStageTimers.h"
+#include "vtkFragmentAppendDec.h"
+#include "vtkFragmentListsDec.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaqueDepthDec.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <tuple>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkExactTransparencyPass);
+
+namespace
+{
+// Nodes for each pixel before anything is known about a scene.
+constexpr vtkIdType FirstNodesPerPixel = 2;
+
+constexpr vtkIdType BytesPerMiB = 1024 * 1024;
+
+const GLint NeededMajorVersion = 4;
+const GLint NeededMinorVersion = 3;
+
+std::vector<vtkProp*> GetProps(const vtkRenderState* state)
+{
+  return { state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount() };
+}
+
+// Whether the shader assigns its depth; VTK's template names gl_FragDepth in a comment in any case.
+bool WritesDepth(const std::string& fragmentShader)
+{
+  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
+  return std::regex_search(fragmentShader, assignment);
+}
+
+// VTK's shader cache begins the shaders of mappers with version 150.
+constexpr const char* Extensions = "//VTK::System::Dec\n"
+                                   "#extension GL_ARB_shader_storage_buffer_object : require\n"
+                                   "#extension GL_ARB_shading_language_420pack : require\n"
+                                   "#extension GL_ARB_shader_bit_encoding : require\n";
+}
+
+//------------------------------------------------------------------------------
+struct vtkExactTransparencyPass::Internals
+{
+  /** What belongs to one OpenGL context. Destroying it frees nothing: the context may be gone. */
+  struct Resources
+  {
+    vtkFragmentLists Lists;
+    vtkFragmentStages Stages;
+    vtkOpaqueLayer Opaque;
+    vtkStageTimers Timers;
+    GLuint GatherFramebuffer = 0;
+  };
+  std::unique_ptr<Resources> GPU = std::make_unique<Resources>();
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMTimeType ContextTime = 0;
+
+  vtkFragmentTiles Tiles;
+  vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
+
+  // One frame.
+  vtkOpenGLState* State = nullptr;
+  std::vector<vtkProp*> TranslucentProps;
+  std::set<vtkProp*> PropsToBlend;
+
+  // What the hooks in the mappers' shaders need.
+  vtkPixelRectangle Tile;
+  bool PropTookPart = false;
+  int ShaderSamples = 0;
+  vtkTimeStamp ShaderTime;
+
+  // Each is said once.
+  bool WarnedOfOpenGL = false;
+  bool WarnedOfBlending = false;
+  bool WarnedOfMemory = false;
+
+  void FollowContext(vtkOpenGLRenderWindow* window)
+  {
+    if (this->Window != window || this->ContextTime != window->GetContextCreationTime())
+    {
+      this->Release();
+      this->GPU = std::make_unique<Resources>();
+      this->Window = window;
+      this->ContextTime = window->GetContextCreationTime();
+    }
+  }
+
+  void Release()
+  {
+    if (!this->Window || this->ContextTime != this->Window->GetContextCreationTime())
+    {
+      return;
+    }
+    this->Window->MakeCurrent();
+    if (this->Window->IsCurrent())
+    {
+      this->GPU->Lists.Release();
+      this->GPU->Stages.Release();
+      this->GPU->Opaque.Release();
+      glDeleteFramebuffers(1, &this->GPU->GatherFramebuffer);
+      this->GPU->GatherFramebuffer = 0;
+      this->FXAAFilter->ReleaseGraphicsResources();
+    }
+    this->Window = nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass::vtkExactTransparencyPass()
+  : Internal(std::make_unique<Internals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass::~vtkExactTransparencyPass()
+{
+  this->Internal->Release();
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyStatistics* vtkExactTransparencyPass::GetStatistics()
+{
+  return this->Statistics;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkExactTransparencyPass::GetReasonUnsupported(vtkRenderWindow* window)
+{
+  if (!vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    return "exact transparency needs an OpenGL render window";
+  }
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  if (std::tie(major, minor) >= std::tie(NeededMajorVersion, NeededMinorVersion))
+  {
+    return std::string();
+  }
+  const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  return "exact transparency needs OpenGL " + std::to_string(NeededMajorVersion) + "." +
+    std::to_string(NeededMinorVersion) + ", found \"" + (version ? version : "none") + "\"";
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::Render(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  this->Statistics->Reset();
+  this->ClearLights(renderer);
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  if (this->NeedsOwnStages(state))
+  {
+    this->RenderGeometry(state);
+  }
+  else
+  {
+    this->UpdateGeometry(renderer, state->GetFrameBuffer());
+    this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkExactTransparencyPass::NeedsOwnStages(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  if (renderer->GetSelector() || renderer->GetUseShadows())
+  {
+    return false;
+  }
+  const std::vector<vtkProp*> props = GetProps(state);
+  const bool peelsVolumes =
+    renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
+  if (peelsVolumes && std::any_of(props.begin(), props.end(), vtkVolume::SafeDownCast))
+  {
+    return false;
+  }
+  auto& translucent = this->Internal->TranslucentProps;
+  translucent.clear();
+  std::copy_if(props.begin(), props.end(), std::back_inserter(translucent),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+  if (translucent.empty())
+  {
+    return false;
+  }
+  const std::string reason =
+    vtkExactTransparencyPass::GetReasonUnsupported(renderer->GetRenderWindow());
+  if (!reason.empty() && !this->Internal->WarnedOfOpenGL)
+  {
+    vtkWarningMacro("VTK's own transparency is used, because " << reason << ".");
+    this->Internal->WarnedOfOpenGL = true;
+  }
+  return reason.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::RenderGeometry(const vtkRenderState* state)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLClearErrorMacro();
+  this->Internal->FollowContext(window);
+  this->Internal->State = window->GetState();
+  this->NumberOfRenderedProps = 0;
+  {
+    vtkStageTimers::Scope stage(this->Internal->GPU->Timers, "opaque");
+    renderer->DeviceRenderOpaqueGeometry(state->GetFrameBuffer());
+  }
+  this->RenderTranslucentGeometry(state);
+  this->BlendOtherProps(renderer);
+  this->Statistics->SetBufferBytes(
+    this->Internal->GPU->Lists.GetBytes() + this->Internal->GPU->Opaque.GetBytes());
+  this->Internal->GPU->Timers.Collect(this->Statistics);
+
+  if (renderer->GetUseFXAA())
+  {
+    this->Internal->FXAAFilter->UpdateConfiguration(renderer->GetFXAAOptions());
+    this->Internal->FXAAFilter->Execute(renderer);
+  }
+  for (vtkProp* prop : GetProps(state))
+  {
+    this->NumberOfRenderedProps += prop->RenderVolumetricGeometry(renderer);
+  }
+  for (vtkProp* prop : GetProps(state))
+  {
+    this->NumberOfRenderedProps += prop->RenderOverlay(renderer);
+  }
+  vtkOpenGLCheckErrorMacro("failed after RenderGeometry");
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  internal.PropsToBlend.clear();
+
+  std::array<int, 4> viewport{};
+  internal.State->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  {
+    vtkStageTimers::Scope stage(gpu.Timers, "copy");
+    gpu.Opaque.Copy(internal.State, viewport);
+  }
+  if (internal.ShaderSamples != gpu.Opaque.GetSamples())
+  {
+    internal.ShaderSamples = gpu.Opaque.GetSamples();
+    internal.ShaderTime.Modified();
+  }
+
+  const vtkIdType limitBytes = this->MemoryLimit * BytesPerMiB;
+  if (gpu.Lists.GetBytes() > limitBytes)
+  {
+    gpu.Lists.Release();
+  }
+  internal.Tiles.Begin({ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } }, limitBytes,
+    vtkFragmentLists::GetLargestNodeCapacity());
+
+  vtkOpenGLState::ScopedglScissor scissorSaver(internal.State);
+  vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(internal.State, GL_SCISSOR_TEST);
+  internal.State->vtkglEnable(GL_SCISSOR_TEST);
+  gpu.Opaque.Activate(internal.State);
+  while (internal.Tiles.Next(internal.Tile))
+  {
+    internal.State->vtkglScissor(internal.Tile.Origin[0], internal.Tile.Origin[1],
+      internal.Tile.Size[0], internal.Tile.Size[1]);
+    this->RenderTile(state);
+  }
+  gpu.Opaque.Deactivate(internal.State);
+  vtkFragmentLists::Unbind();
+  this->Statistics->SetTiles(internal.Tiles.GetNumberOfTiles());
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
+{
+  const vtkPixelRectangle tile = this->Internal->Tile;
+  const vtkIdType pixels = tile.GetNumberOfPixels();
+  vtkFragmentTiles& tiles = this->Internal->Tiles;
+  vtkFragmentLists& lists = this->Internal->GPU->Lists;
+
+  vtkIdType fragments = 0;
+  vtkIdType nodes = std::min(tiles.GetNodeLimit(tile), FirstNodesPerPixel * pixels);
+  do
+  {
+    if (!lists.Reserve(pixels, nodes, this->Internal->GPU->Opaque.GetSamples()))
+    {
+      lists.Release();
+      this->DivideForMemory(nodes);
+      return;
+    }
+    fragments = this->Gather(state);
+    if (tiles.MustSplit(tile, fragments))
+    {
+      tiles.Split(tile, fragments);
+      return;
+    }
+    // A quarter more, so that a slowly turning view does not grow the buffers every frame.
+    nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit(tile)));
+  } while (fragments > lists.GetNodeCapacity());
+
+  this->WarnOfMemory(fragments);
+  this->SortAndResolve();
+  tiles.Finish(tile, fragments);
+  this->Statistics->SetFragments(this->Statistics->GetFragments() + fragments);
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
+{
+  vtkFragmentTiles& tiles = this->Internal->Tiles;
+  tiles.LowerNodeCapacity(nodes / 2);
+  if (this->Internal->Tile.GetNumberOfPixels() > 1)
+  {
+    tiles.Split(this->Internal->Tile, nodes);
+  }
+  else
+  {
+    vtkErrorMacro("OpenGL has no memory for the "
+      << nodes << " fragments of one pixel; the pixel shows the opaque scene only. Expected "
+      << nodes * vtkFragmentLists::BytesPerNode / BytesPerMiB
+      << " MiB. Reduce the number of translucent layers.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
+{
+  const bool exceeds = fragments > this->Internal->Tiles.GetNodeLimit(this->Internal->Tile);
+  if (exceeds && !this->Internal->WarnedOfMemory)
+  {
+    vtkWarningMacro("One pixel has "
+      << fragments << " translucent fragments, which need "
+      << fragments * vtkFragmentLists::BytesPerNode << " bytes, more than the memory limit of "
+      << this->MemoryLimit << " MiB. The limit is exceeded to keep the picture exact.");
+    this->Internal->WarnedOfMemory = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::BindGatherFramebuffer()
+{
+  // A framebuffer without attachments, as large as the tile reaches into the window, so that
+  // fragments have the same window coordinates as in the target.
+  const vtkPixelRectangle& tile = this->Internal->Tile;
+  GLuint& framebuffer = this->Internal->GPU->GatherFramebuffer;
+  if (framebuffer == 0)
+  {
+    glGenFramebuffers(1, &framebuffer);
+  }
+  this->Internal->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferParameteri(
+    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, tile.Origin[0] + tile.Size[0]);
+  glFramebufferParameteri(
+    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, tile.Origin[1] + tile.Size[1]);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  vtkStageTimers::Scope stage(gpu.Timers, "gather");
+  this->Statistics->SetGatherPasses(this->Statistics->GetGatherPasses() + 1);
+  gpu.Lists.Clear(internal.Tile.GetNumberOfPixels());
+  gpu.Lists.Bind();
+  internal.State->PushFramebufferBindings();
+  this->BindGatherFramebuffer();
+  this->PreRender(state);
+  for (vtkProp* prop : internal.TranslucentProps)
+  {
+    internal.PropTookPart = false;
+    const int rendered = prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
+    this->NumberOfRenderedProps += rendered;
+    if (rendered > 0 && !internal.PropTookPart)
+    {
+      internal.PropsToBlend.insert(prop);
+    }
+  }
+  this->PostRender(state);
+  internal.State->PopFramebufferBindings();
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return gpu.Lists.ReadCounters().GetFragments();
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::SortAndResolve()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  auto* window = internal.Window.GetPointer();
+  vtkIdType longest = 0;
+  {
+    vtkStageTimers::Scope stage(gpu.Timers, "sort");
+    internal.State->PushFramebufferBindings();
+    this->BindGatherFramebuffer();
+    gpu.Stages.Sort(window, gpu.Opaque, internal.Tile);
+    internal.State->PopFramebufferBindings();
+    const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
+    longest = counters.LongestList;
+    if (counters.LongLists > 0)
+    {
+      longest = gpu.Lists.CollapseLongLists(counters.LongLists, gpu.Opaque.GetSamples());
+    }
+  }
+  this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
+  vtkStageTimers::Scope stage(gpu.Timers, "resolve");
+  gpu.Stages.Resolve(window, gpu.Opaque, internal.Tile);
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::BlendOtherProps(vtkRenderer* renderer)
+{
+  Internals& internal = *this->Internal;
+  this->Statistics->SetBlendedProps(static_cast<int>(internal.PropsToBlend.size()));
+  if (internal.PropsToBlend.empty())
+  {
+    return;
+  }
+  vtkStageTimers::Scope stage(internal.GPU->Timers, "blend");
+  for (vtkProp* prop : internal.TranslucentProps)
+  {
+    if (internal.PropsToBlend.count(prop) > 0)
+    {
+      prop->RenderTranslucentPolygonalGeometry(renderer);
+    }
+  }
+  if (!internal.WarnedOfBlending)
+  {
+    vtkWarningMacro(<< internal.PropsToBlend.size() << " translucent prop(s), the first a "
+                    << (*internal.PropsToBlend.begin())->GetClassName()
+                    << ", have a mapper that takes no part in render passes. They are blended over "
+                       "the exact result, without regard to depth order.");
+    internal.WarnedOfBlending = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkExactTransparencyPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
+  const std::string declarations =
+    vtkFragmentLists::GetShaderDefinitions(this->Internal->ShaderSamples) + vtkFragmentListsDec +
+    vtkOpaqueDepthDec + vtkFragmentAppendDec;
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
+    "if (pellucidIsHidden(" + depth + ")) { discard; }\n", false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
+    "pellucidAppend(gl_FragData[0], " + depth + ");\n", false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExactTransparencyPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& internal = *this->Internal;
+  if (program->IsUniformUsed("pellucidNodeCapacity"))
+  {
+    internal.PropTookPart = true;
+    vtkFragmentStages::SetTile(program, internal.Tile);
+    internal.GPU->Opaque.SetUniforms(program);
+    program->SetUniformi(
+      "pellucidNodeCapacity", static_cast<int>(internal.GPU->Lists.GetNodeCapacity()));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkExactTransparencyPass::GetShaderStageMTime()
+{
+  return this->Internal->ShaderTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  if (window == this->Internal->Window)
+  {
+    this->Internal->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
+  os << indent << "Statistics:\n";
+  this->Statistics->PrintSelf(os, indent.GetNextIndent());
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExactTransparencyPass
+ * @brief   Draws a renderer's props with exact order-independent transparency.
+ *
+ * Every translucent fragment of every pixel is kept, sorted by depth and composited front to back.
+ * The pass takes part in the shaders of all VTK mappers, so surfaces, glyphs, points and
+ * trajectories of any number of actors are blended together in the right order, whatever order they
+ * are drawn in. It is a leaf of a chain of render passes: it needs a camera pass before it, draws
+ * lights, opaque geometry, translucent geometry, volumes and overlay, and delegates to nobody.
+ * vtkTransparencyInstaller puts it into a renderer.
+ *
+ * Stages of a frame with translucent geometry; each is timed under its name in the statistics:
+ * 1. `opaque`  - VTK's own opaque pass, SSAO and hidden line removal included
+ * 2. `copy`    - colour and depth of the opaque scene into textures, sample by sample
+ * 3. `gather`  - the geometry is drawn once; each fragment in front of the opaque scene is appended
+ *                to its pixel's linked list
+ * 4. `sort`    - each list is sorted by depth in place
+ * 5. `resolve` - each list is composited over the opaque scene
+ * 6. `blend`   - props whose mapper takes no part in render passes, over the result; counted in the
+ *                statistics, with one warning
+ * A frame without translucent geometry runs VTK's own path and nothing else, and allocates nothing.
+ *
+ * Exactness. Lists of any length are composited completely. When the fragments do not fit into the
+ * buffers these grow; when they would exceed #MemoryLimit the image is worked through in
+ * rectangles, with the same bits as result. Fragments of equal depth are ordered by opacity, then
+ * colour, so a picture depends neither on the order of props and cells nor on the number of
+ * threads. A stored fragment has 13 bits for each colour component, 25 bits of opacity (8 of them
+ * exponent) and a 32-bit float depth. Compositing is in single precision and stops where the rest
+ * of a list weighs less than 1/8192, a thirtieth of an 8-bit step.
+ *
+ * Multisampled targets keep the antialiasing of opaque edges: fragments are gathered once for each
+ * pixel and composited over each sample with that sample's depth.
+ *
+ * VTK's own path is kept for a hardware selection, for shadows (vtkRenderer::SetUseShadows), for
+ * volumes that are to be depth peeled with the geometry, and, with one warning, where OpenGL is
+ * older than 4.3. Volumes are blended over the result, as VTK does by default.
+ *
+ * @par Reference
+ * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D (2016), chapter
+ * 2, for the lists and the compositing (equations 2.3 and 2.4); its lists drop what does not fit.
+ *
+ * @sa vtkTransparencyInstaller vtkTransparencyStatistics vtkTrajectoryMapper
+ */
+
+#ifndef vtkExactTransparencyPass_h
+#define vtkExactTransparencyPass_h
+
+#include "vtkNew.h" // for the statistics
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPellucidRenderingModule.h" // for the export macro
+#include "vtkTransparencyStatistics.h"  // for GetStatistics
+
+#include <memory> // for std::unique_ptr
+#include <string> // for the reason
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkRenderWindow;
+
+class VTKPELLUCIDRENDERING_EXPORT vtkExactTransparencyPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkExactTransparencyPass* New();
+  vtkTypeMacro(vtkExactTransparencyPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 67 million
+   * fragments. A scene that needs more is drawn in several rectangles, which costs one more
+   * traversal of the geometry for each. Only the list of a single pixel may exceed the limit; a
+   * warning tells. The copies of the opaque scene (8 bytes for each sample) come on top.
+   */
+  vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  /** What the last frame cost. Never null; the same object for the life of the pass. */
+  vtkTransparencyStatistics* GetStatistics();
+
+  /**
+   * Why the current context of this window cannot run the pass, what was found and what is needed;
+   * empty when it can. The context must be current.
+   */
+  static std::string GetReasonUnsupported(vtkRenderWindow* window);
+
+  /** Draw the props of the state's renderer. The camera must have been set up. */
+  void Render(const vtkRenderState* state) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /** Take part in the shader of a mapper; called by the mapper while it is gathered. */
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vertexArray = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkExactTransparencyPass();
+  ~vtkExactTransparencyPass() override;
+
+private:
+  vtkExactTransparencyPass(const vtkExactTransparencyPass&) = delete;
+  void operator=(const vtkExactTransparencyPass&) = delete;
+
+  struct Internals;
+
+  bool NeedsOwnStages(const vtkRenderState* state);
+  void RenderGeometry(const vtkRenderState* state);
+  void RenderTranslucentGeometry(const vtkRenderState* state);
+  void RenderTile(const vtkRenderState* state);
+  void DivideForMemory(vtkIdType nodes);
+  void WarnOfMemory(vtkIdType fragments);
+  void BindGatherFramebuffer();
+  vtkIdType Gather(const vtkRenderState* state);
+  void SortAndResolve();
+  void BlendOtherProps(vtkRenderer* renderer);
+
+  int MemoryLimit = 1024;
+  vtkNew<vtkTransparencyStatistics> Statistics;
+
+  std::unique_ptr<Internals> Internal;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

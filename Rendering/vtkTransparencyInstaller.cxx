@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTransparencyInstaller.h"
+
+#include "vtkCameraPass.h"
+#include "vtkCommand.h"
+#include "vtkExactTransparencyPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkTransparencyInstaller);
+vtkInformationKeyMacro(vtkTransparencyInstaller, INSTALLER, ObjectBase);
+
+namespace
+{
+// After observers with the default priority, which may set up passes of their own.
+constexpr float ObserverPriority = -1.0f;
+
+vtkRenderPass* GetDelegate(vtkRenderPass* pass)
+{
+  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    return camera->GetDelegatePass();
+  }
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    return image->GetDelegatePass();
+  }
+  return nullptr;
+}
+
+void SetDelegate(vtkRenderPass* holder, vtkRenderPass* delegate)
+{
+  if (auto* camera = vtkCameraPass::SafeDownCast(holder))
+  {
+    camera->SetDelegatePass(delegate);
+  }
+  else if (auto* image = vtkImageProcessingPass::SafeDownCast(holder))
+  {
+    image->SetDelegatePass(delegate);
+  }
+}
+
+// By name: ParaView's class is not known here.
+bool IsDefaultPass(vtkRenderPass* pass)
+{
+  return pass->IsA("vtkDefaultPass") || pass->IsA("vtkPVDefaultPass");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyInstaller::vtkTransparencyInstaller() = default;
+
+//------------------------------------------------------------------------------
+vtkTransparencyInstaller::~vtkTransparencyInstaller()
+{
+  this->StopObserving();
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyInstaller* vtkTransparencyInstaller::Find(vtkRenderer* renderer)
+{
+  vtkInformation* information = renderer ? renderer->GetInformation() : nullptr;
+  return information ? static_cast<vtkTransparencyInstaller*>(
+                         information->Get(vtkTransparencyInstaller::INSTALLER()))
+                     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass* vtkTransparencyInstaller::Install(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("Exact transparency was not installed: expected a vtkRenderer, found "
+                           "none. Pass the renderer that draws the scene.");
+    return nullptr;
+  }
+  if (!vtkTransparencyInstaller::Find(renderer))
+  {
+    if (!renderer->GetInformation())
+    {
+      vtkNew<vtkInformation> information;
+      renderer->SetInformation(information);
+    }
+    vtkNew<vtkTransparencyInstaller> installer;
+    installer->Observe(renderer);
+    renderer->GetInformation()->Set(vtkTransparencyInstaller::INSTALLER(), installer);
+  }
+  return vtkTransparencyInstaller::GetPass(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::Uninstall(vtkRenderer* renderer)
+{
+  if (vtkSmartPointer<vtkTransparencyInstaller> installer =
+        vtkTransparencyInstaller::Find(renderer))
+  {
+    installer->LeaveFrame();
+    installer->StopObserving();
+    installer->Pass->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    renderer->GetInformation()->Remove(vtkTransparencyInstaller::INSTALLER());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass* vtkTransparencyInstaller::GetPass(vtkRenderer* renderer)
+{
+  vtkTransparencyInstaller* installer = vtkTransparencyInstaller::Find(renderer);
+  return installer ? installer->Pass.GetPointer() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::Observe(vtkRenderer* renderer)
+{
+  this->Renderer = renderer;
+  this->StartTag = renderer->AddObserver(
+    vtkCommand::StartEvent, this, &vtkTransparencyInstaller::EnterFrame, ObserverPriority);
+  this->EndTag = renderer->AddObserver(
+    vtkCommand::EndEvent, this, &vtkTransparencyInstaller::LeaveFrame, ObserverPriority);
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::StopObserving()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->StartTag);
+    this->Renderer->RemoveObserver(this->EndTag);
+  }
+  this->Renderer = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::EnterFrame()
+{
+  // A selection is drawn by VTK alone; a frame that was broken off leaves its chain to LeaveFrame.
+  this->LeaveFrame();
+  if (this->Renderer->GetSelector())
+  {
+    return;
+  }
+  vtkRenderPass* leaf = this->Renderer->GetPass();
+  if (!leaf)
+  {
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(this->Pass);
+    this->Renderer->SetPass(camera);
+    this->InFrame = true;
+    return;
+  }
+  vtkRenderPass* holder = nullptr;
+  while (vtkRenderPass* delegate = GetDelegate(leaf))
+  {
+    holder = leaf;
+    leaf = delegate;
+  }
+  if (!IsDefaultPass(leaf))
+  {
+    if (!this->WarnedOfLeaf)
+    {
+      vtkWarningMacro("Exact transparency is off while "
+        << leaf->GetClassName()
+        << " draws the renderer; expected VTK's or ParaView's default pass at the end of the chain "
+           "of render passes. Remove that pass to get exact transparency.");
+      this->WarnedOfLeaf = true;
+    }
+    return;
+  }
+  this->Holder = holder;
+  this->ReplacedLeaf = leaf;
+  if (holder)
+  {
+    SetDelegate(holder, this->Pass);
+  }
+  else
+  {
+    this->Renderer->SetPass(this->Pass);
+  }
+  this->InFrame = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::LeaveFrame()
+{
+  if (!this->InFrame)
+  {
+    return;
+  }
+  if (this->Holder)
+  {
+    SetDelegate(this->Holder, this->ReplacedLeaf);
+  }
+  else
+  {
+    this->Renderer->SetPass(this->ReplacedLeaf);
+  }
+  this->Holder = nullptr;
+  this->ReplacedLeaf = nullptr;
+  this->InFrame = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.GetPointer() << "\n";
+  os << indent << "Pass:\n";
+  this->Pass->PrintSelf(os, indent.GetNextIndent());
+}
+
+VTK_ABI_NAMESPACE_END

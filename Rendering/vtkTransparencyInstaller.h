@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTransparencyInstaller
+ * @brief   Makes a renderer draw exact transparency with one call.
+ *
+ * @code{.cpp}
+ * vtkTransparencyInstaller::Install(renderer);
+ * @endcode
+ *
+ * The installer observes the renderer. At the start of each frame it looks for the leaf of the
+ * renderer's chain of passes, through image processing and camera passes; a leaf that is VTK's or
+ * ParaView's default pass is replaced for this frame by a vtkExactTransparencyPass, and at the end
+ * of the frame the chain is as it was. A renderer without passes gets a camera pass with ours
+ * behind it for the frame. Any other leaf, ray tracing for example, is left alone, with one
+ * warning. Nothing has to be subclassed, and passes that the application sets later keep working.
+ *
+ * A hardware selection runs in VTK's own path.
+ *
+ * @sa vtkExactTransparencyPass
+ */
+
+#ifndef vtkTransparencyInstaller_h
+#define vtkTransparencyInstaller_h
+
+#include "vtkNew.h" // for the pass
+#include "vtkObject.h"
+#include "vtkPellucidRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for the chain of the frame
+#include "vtkWeakPointer.h"             // for the renderer
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkExactTransparencyPass;
+class vtkInformationObjectBaseKey;
+class vtkRenderer;
+class vtkRenderPass;
+
+class VTKPELLUCIDRENDERING_EXPORT vtkTransparencyInstaller : public vtkObject
+{
+public:
+  /** An installer that observes nothing; use Install. */
+  static vtkTransparencyInstaller* New();
+  vtkTypeMacro(vtkTransparencyInstaller, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Make the renderer exact from its next frame on and return the pass that will draw it, for its
+   * parameters and statistics. A second call returns the same pass. The renderer owns it. Returns
+   * null, with an error, when there is no renderer.
+   */
+  static vtkExactTransparencyPass* Install(vtkRenderer* renderer);
+
+  /** Give the renderer back to VTK; does nothing when it was not installed. */
+  static void Uninstall(vtkRenderer* renderer);
+
+  /** The pass of a renderer; null when it was not installed. */
+  static vtkExactTransparencyPass* GetPass(vtkRenderer* renderer);
+
+protected:
+  vtkTransparencyInstaller();
+  ~vtkTransparencyInstaller() override;
+
+private:
+  vtkTransparencyInstaller(const vtkTransparencyInstaller&) = delete;
+  void operator=(const vtkTransparencyInstaller&) = delete;
+
+  static vtkInformationObjectBaseKey* INSTALLER();
+  static vtkTransparencyInstaller* Find(vtkRenderer* renderer);
+
+  void Observe(vtkRenderer* renderer);
+  void StopObserving();
+  void EnterFrame();
+  void LeaveFrame();
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long StartTag = 0;
+  unsigned long EndTag = 0;
+  vtkNew<vtkExactTransparencyPass> Pass;
+
+  // The chain as it was before this frame; both null between frames and when nothing was replaced.
+  vtkSmartPointer<vtkRenderPass> Holder;
+  vtkSmartPointer<vtkRenderPass> ReplacedLeaf;
+  bool InFrame = false;
+  bool WarnedOfLeaf = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
