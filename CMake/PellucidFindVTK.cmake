@@ -47,4 +47,5 @@ else ()
     COMPONENTS ${PELLUCID_VTK_COMPONENTS}
     OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
 endif ()
+include(PellucidVTKStringABI)
 message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")

@@ -301,7 +301,7 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
   vtkFragmentLists& lists = this->Internal->GPU->Lists;
 
   vtkIdType fragments = 0;
-  vtkIdType nodes = std::min(tiles.GetNodeLimit(tile), FirstNodesPerPixel * pixels);
+  vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * pixels);
   do
   {
     if (!lists.Reserve(pixels, nodes, this->Internal->GPU->Opaque.GetSamples()))
@@ -317,7 +317,7 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
       return;
     }
     // A quarter more, so that a slowly turning view does not grow the buffers every frame.
-    nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit(tile)));
+    nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit()));
   } while (fragments > lists.GetNodeCapacity());
 
   this->WarnOfMemory(fragments);
@@ -347,7 +347,7 @@ void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
 {
-  const bool exceeds = fragments > this->Internal->Tiles.GetNodeLimit(this->Internal->Tile);
+  const bool exceeds = fragments > this->Internal->Tiles.GetNodeLimit();
   if (exceeds && !this->Internal->WarnedOfMemory)
   {
     vtkWarningMacro("One pixel has "

@@ -16,7 +16,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkTransparencyInstaller);
-vtkInformationKeyMacro(vtkTransparencyInstaller, INSTALLER, ObjectBase);
+vtkInformationKeyMacro(vtkTransparencyInstaller, KEY, ObjectBase);
 
 namespace
 {
@@ -68,9 +68,9 @@ vtkTransparencyInstaller::~vtkTransparencyInstaller()
 vtkTransparencyInstaller* vtkTransparencyInstaller::Find(vtkRenderer* renderer)
 {
   vtkInformation* information = renderer ? renderer->GetInformation() : nullptr;
-  return information ? static_cast<vtkTransparencyInstaller*>(
-                         information->Get(vtkTransparencyInstaller::INSTALLER()))
-                     : nullptr;
+  return information
+    ? static_cast<vtkTransparencyInstaller*>(information->Get(vtkTransparencyInstaller::KEY()))
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +91,7 @@ vtkExactTransparencyPass* vtkTransparencyInstaller::Install(vtkRenderer* rendere
     }
     vtkNew<vtkTransparencyInstaller> installer;
     installer->Observe(renderer);
-    renderer->GetInformation()->Set(vtkTransparencyInstaller::INSTALLER(), installer);
+    renderer->GetInformation()->Set(vtkTransparencyInstaller::KEY(), installer);
   }
   return vtkTransparencyInstaller::GetPass(renderer);
 }
@@ -105,7 +105,7 @@ void vtkTransparencyInstaller::Uninstall(vtkRenderer* renderer)
     installer->LeaveFrame();
     installer->StopObserving();
     installer->Pass->ReleaseGraphicsResources(renderer->GetRenderWindow());
-    renderer->GetInformation()->Remove(vtkTransparencyInstaller::INSTALLER());
+    renderer->GetInformation()->Remove(vtkTransparencyInstaller::KEY());
   }
 }
 

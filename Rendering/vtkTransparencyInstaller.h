@@ -57,6 +57,9 @@ public:
   /** The pass of a renderer; null when it was not installed. */
   static vtkExactTransparencyPass* GetPass(vtkRenderer* renderer);
 
+  /** Where the installer lives: in vtkRenderer::GetInformation() of an installed renderer. */
+  static vtkInformationObjectBaseKey* KEY();
+
 protected:
   vtkTransparencyInstaller();
   ~vtkTransparencyInstaller() override;
@@ -65,7 +68,6 @@ private:
   vtkTransparencyInstaller(const vtkTransparencyInstaller&) = delete;
   void operator=(const vtkTransparencyInstaller&) = delete;
 
-  static vtkInformationObjectBaseKey* INSTALLER();
   static vtkTransparencyInstaller* Find(vtkRenderer* renderer);
 
   void Observe(vtkRenderer* renderer);

@@ -11,8 +11,10 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-// Heads may take this part of the memory limit before a tile is divided for their sake.
+// Parts of the memory limit: a quarter for heads, so that small tiles need no other division than
+// large ones; little for counters and the notes on long lists; the rest for nodes.
 constexpr vtkIdType HeadsPart = 4;
+constexpr vtkIdType NotesPart = 64;
 
 vtkIdType DivideUp(vtkIdType dividend, vtkIdType divisor)
 {
@@ -31,7 +33,7 @@ void vtkFragmentTiles::Begin(
   this->NodeCapacity = nodeCapacity;
 
   // Half the room of one tile is left when the last frame is gathered as a whole again.
-  const bool fitsAsWhole = this->Fragments <= this->GetNodeLimit(viewport) / 2;
+  const bool fitsAsWhole = this->Fragments <= this->GetNodeLimit() / 2;
   this->Pending.clear();
   if (sameImage && !fitsAsWhole)
   {
@@ -76,17 +78,17 @@ bool vtkFragmentTiles::Next(vtkPixelRectangle& tile)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFragmentTiles::GetNodeLimit(const vtkPixelRectangle& tile) const
+vtkIdType vtkFragmentTiles::GetNodeLimit() const
 {
-  const vtkIdType headBytes = tile.GetNumberOfPixels() * vtkFragmentLists::BytesPerPixel;
-  const vtkIdType nodes = (this->LimitBytes - headBytes) / vtkFragmentLists::BytesPerNode;
-  return std::clamp<vtkIdType>(nodes, 1, this->NodeCapacity);
+  const vtkIdType nodeBytes =
+    this->LimitBytes - this->LimitBytes / HeadsPart - this->LimitBytes / NotesPart;
+  return std::clamp<vtkIdType>(nodeBytes / vtkFragmentLists::BytesPerNode, 1, this->NodeCapacity);
 }
 
 //------------------------------------------------------------------------------
 bool vtkFragmentTiles::MustSplit(const vtkPixelRectangle& tile, vtkIdType fragments) const
 {
-  return fragments > this->GetNodeLimit(tile) && tile.GetNumberOfPixels() > 1;
+  return fragments > this->GetNodeLimit() && tile.GetNumberOfPixels() > 1;
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +96,7 @@ void vtkFragmentTiles::Split(const vtkPixelRectangle& tile, vtkIdType fragments)
 {
   const int axis = tile.Size[0] > tile.Size[1] ? 0 : 1;
   // A quarter more than an even distribution of the fragments would need.
-  const vtkIdType wanted = DivideUp(fragments + fragments / 4, this->GetNodeLimit(tile));
+  const vtkIdType wanted = DivideUp(fragments + fragments / 4, this->GetNodeLimit());
   const int parts = static_cast<int>(std::clamp<vtkIdType>(wanted, 2, tile.Size[axis]));
   for (int part = parts - 1; part >= 0; --part)
   {

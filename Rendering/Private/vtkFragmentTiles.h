@@ -45,8 +45,8 @@ public:
   /** Take the next tile; false when the frame is complete. */
   bool Next(vtkPixelRectangle& tile);
 
-  /** Nodes that the tile may use, at least 1. */
-  vtkIdType GetNodeLimit(const vtkPixelRectangle& tile) const;
+  /** Nodes that a tile may use, at least 1. */
+  vtkIdType GetNodeLimit() const;
 
   /** Whether a tile with so many fragments has to be divided, and can be. */
   bool MustSplit(const vtkPixelRectangle& tile, vtkIdType fragments) const;

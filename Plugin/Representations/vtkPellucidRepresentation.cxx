@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPellucidRepresentation.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkTrajectoryMapper.h"
+#include "vtkTransparencyInstaller.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkPellucidRepresentation);
+
+//------------------------------------------------------------------------------
+vtkPellucidRepresentation::vtkPellucidRepresentation()
+{
+  this->Mapper->Delete();
+  this->LODMapper->Delete();
+  this->Mapper = vtkTrajectoryMapper::New();
+  this->LODMapper = vtkTrajectoryMapper::New();
+  this->SetupDefaults();
+}
+
+//------------------------------------------------------------------------------
+vtkPellucidRepresentation::~vtkPellucidRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->View.GetPointer() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetRadius(double radius)
+{
+  for (vtkMapper* mapper : { this->Mapper, this->LODMapper })
+  {
+    vtkTrajectoryMapper::SafeDownCast(mapper)->SetRadius(radius);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetRadiusArray(const char* name)
+{
+  for (vtkMapper* mapper : { this->Mapper, this->LODMapper })
+  {
+    vtkTrajectoryMapper::SafeDownCast(mapper)->SetRadiusArray(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->UpdateTransparency();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::AddToView(vtkView* view)
+{
+  if (!this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  this->View = vtkPVRenderView::SafeDownCast(view);
+  this->UpdateTransparency();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::RemoveFromView(vtkView* view)
+{
+  if (this->View == view && !this->IsOtherVisible())
+  {
+    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer());
+  }
+  this->View = nullptr;
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::IsOtherVisible()
+{
+  for (int i = 0; i < this->View->GetNumberOfRepresentations(); ++i)
+  {
+    auto other = vtkPellucidRepresentation::SafeDownCast(this->View->GetRepresentation(i));
+    if (other && other != this && other->GetVisibility())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdateTransparency()
+{
+  // ParaView keeps one representation of each kind for a source and shows one of them: being in the
+  // view does not mean being visible.
+  if (!this->View)
+  {
+    return;
+  }
+  if (this->GetVisibility())
+  {
+    vtkTransparencyInstaller::Install(this->View->GetRenderer());
+  }
+  else if (!this->IsOtherVisible())
+  {
+    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer());
+  }
+}
+VTK_ABI_NAMESPACE_END

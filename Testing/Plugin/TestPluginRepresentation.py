@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The representation "Pellucid" draws stream lines, and its view is exact while it is visible."""
+
+import os
+import unittest
+
+from paraview import simple
+
+import pellucid
+from pictures import picture
+
+def stream_lines():
+    """Twenty lines through the gradient of ParaView's wavelet."""
+    gradient = simple.Gradient(Input=simple.Wavelet(), ScalarArray=["POINTS", "RTData"])
+    gradient.UpdatePipeline()  # seeds and lengths follow from its bounds
+    tracer = simple.StreamTracer(Input=gradient, SeedType="Line")
+    tracer.Vectors = ["POINTS", "Gradient"]
+    tracer.SeedType.Resolution = 19
+    tracer.MaximumStepLength = 1.0
+    tracer.InitialStepLength = 1.0
+    return tracer
+
+
+class TestPluginRepresentation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ["PELLUCID_PLUGIN"], remote=False, ns=vars(simple))
+
+    def setUp(self):
+        self.view = simple.CreateView("RenderView", ViewSize=[200, 200], OrientationAxesVisibility=0)
+        self.renderer = self.view.GetClientSideObject().GetRenderer()
+        self.empty = self.picture()
+
+    def tearDown(self):
+        simple.Delete(self.view)
+
+    def show(self, source):
+        display = simple.Show(source, self.view)
+        simple.ResetCamera(self.view)
+        self.assertIn("Pellucid", display.GetProperty("Representation").Available)
+        display.Representation = "Pellucid"
+        display.Opacity = 0.5
+        return display
+
+    def fragments(self):
+        transparency = pellucid.vtkTransparencyInstaller.GetPass(self.renderer)
+        self.assertIsNotNone(transparency)
+        return transparency.GetStatistics().GetFragments()
+
+    def picture(self):
+        simple.Render(self.view)
+        return picture(self.view.GetRenderWindow())
+
+    def covered(self):
+        """Pixels that something was drawn in."""
+        return int((self.picture() != self.empty).any(axis=2).sum())
+
+    def test_stream_lines_are_tubes(self):
+        display = self.show(stream_lines())
+        display.TubeRadius = 0.05
+        thin = self.covered()
+        self.assertGreater(thin, 100)
+        self.assertGreater(self.fragments(), 0)
+        display.TubeRadius = 0.5
+        self.assertGreater(self.covered(), 2 * thin)
+
+    def test_both_layers_of_a_sphere_are_drawn(self):
+        self.show(simple.Sphere(ThetaResolution=64, PhiResolution=64))
+        covered = self.covered()
+        self.assertAlmostEqual(self.fragments() / covered, 2.0, delta=0.1)
+
+    def test_the_view_is_exact_while_one_is_visible(self):
+        first = self.show(simple.Sphere())
+        second = self.show(simple.Cone())
+        self.fragments()
+        first.Representation = "Surface"
+        simple.Render(self.view)
+        self.fragments()
+        second.Visibility = 0
+        simple.Render(self.view)
+        self.assertIsNone(pellucid.vtkTransparencyInstaller.GetPass(self.renderer))
+
+
+if __name__ == "__main__":
+    unittest.main()
