@@ -183,6 +183,7 @@ int vtkFieldStreamlines::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
   vtkFieldVectors field(input, this->GetInputArrayInformation(0));
+  this->VectorsName = field.GetName();
   if (field.GetName().empty())
   {
     const char* wanted = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
@@ -300,6 +301,7 @@ void vtkFieldStreamlines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLength: " << this->MaximumLength << "\n";
   os << indent << "MaximumNumberOfSteps: " << this->MaximumNumberOfSteps << "\n";
   os << indent << "TerminalSpeedFraction: " << this->TerminalSpeedFraction << "\n";
+  os << indent << "VectorsName: " << this->VectorsName << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

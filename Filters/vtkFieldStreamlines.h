@@ -42,6 +42,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the seeds
 
+#include <string> // for the array's name
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldVectors;
 class vtkPoints;
@@ -139,6 +141,9 @@ public:
   vtkGetMacro(TerminalSpeedFraction, double);
   ///@}
 
+  /** Name of the array that the last update traced; empty when there was none. */
+  std::string GetVectorsName() { return this->VectorsName; }
+
 protected:
   vtkFieldStreamlines();
   ~vtkFieldStreamlines() override = default;
@@ -162,6 +167,7 @@ private:
   double MaximumLength = 0.0;
   vtkIdType MaximumNumberOfSteps = 2000;
   double TerminalSpeedFraction = 1e-6;
+  std::string VectorsName;
 };
 
 VTK_ABI_NAMESPACE_END
