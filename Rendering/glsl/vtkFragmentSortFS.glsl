@@ -14,7 +14,7 @@
 //VTK::Pellucid::Lists
 //VTK::Pellucid::OpaqueDepth
 
-// Nearer first; then less opaque, then by colour. Nodes equal in all this are interchangeable.
+// Nearer first; then less opaque; then by red, green, blue. Nodes equal in all this are interchangeable.
 bool isBefore(uint a, uint depthA, uint b, uint depthB)
 {
   if (depthA != depthB)
