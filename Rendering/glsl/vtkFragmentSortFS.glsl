@@ -95,6 +95,8 @@ void main()
   {
     uint nodes[PELLUCID_RUN_LENGTH];
     uint depths[PELLUCID_RUN_LENGTH];
+    nodes[0] = 0u; // compilers warn of arrays that are first written by a variable index
+    depths[0] = 0u;
     int count = 0;
     while (node != 0u && count < PELLUCID_RUN_LENGTH)
     {
