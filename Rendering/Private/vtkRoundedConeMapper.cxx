@@ -97,6 +97,7 @@ bool vtkRoundedConeMapper::BufferTexture::Upload(
   vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components)
 {
   this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType(); // or it keeps those of the last upload
   const int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
   this->Current =
     this->Buffer->Upload(values, count * components, vtkOpenGLBufferObject::TextureBuffer) &&
