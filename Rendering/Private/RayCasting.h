@@ -1,0 +1,520 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    RayCasting.h
+ * @brief   Finds all fragments of all pixels of a scene, one tile of the image at a time.
+ *
+ * Every primitive is first entered into the tiles that its bounds on the screen touch; a tile then
+ * meets only its own primitives, and a primitive only the pixels within its bounds. Tiles are
+ * independent of each other and may be worked on by any number of threads.
+ */
+
+#ifndef RayCasting_h
+#define RayCasting_h
+
+#include "FragmentCompositing.h"
+#include "RayScene.h"
+
+namespace pellucid
+{
+/** Pixels x0 <= x < x1, y0 <= y < y1. */
+struct PixelRectangle
+{
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+
+  int Width() const { return std::max(0, this->x1 - this->x0); }
+  int Height() const { return std::max(0, this->y1 - this->y0); }
+
+  PixelRectangle Intersection(const PixelRectangle& other) const
+  {
+    return { std::max(this->x0, other.x0), std::max(this->y0, other.y0),
+      std::min(this->x1, other.x1), std::min(this->y1, other.y1) };
+  }
+};
+
+/**
+ * The pixels that the convex hull of some points, given in clip coordinates, can touch in front of
+ * the near plane, and one more on each side for rounding. The hull is bounded by the points in
+ * front of the plane and by those where a connection of two points passes through it.
+ */
+template <typename Real, std::size_t N>
+PixelRectangle ScreenBounds(const View<Real>& view, const std::array<Vector4<Real>, N>& points)
+{
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  Real lower[2] = { infinity, infinity };
+  Real upper[2] = { -infinity, -infinity };
+  const auto extend = [&lower, &upper](const Vector4<Real>& point)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      lower[axis] = std::min(lower[axis], point[axis] / point.w);
+      upper[axis] = std::max(upper[axis], point[axis] / point.w);
+    }
+  };
+  const auto nearness = [](const Vector4<Real>& point) { return point.z + point.w; };
+
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    const Real here = nearness(points[i]);
+    if (here >= 0)
+    {
+      extend(points[i]);
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const Real there = nearness(points[j]);
+      if ((here < 0) != (there < 0))
+      {
+        extend(glm::mix(points[i], points[j], here / (here - there)));
+      }
+    }
+  }
+
+  const auto pixel = [](Real normalized, int size)
+  { return static_cast<int>(std::clamp<Real>((normalized + 1) / 2 * size, -1, size + Real(1))); };
+  if (!(lower[0] <= upper[0] && lower[1] <= upper[1]))
+  {
+    return {};
+  }
+  return PixelRectangle{ pixel(lower[0], view.width) - 1, pixel(lower[1], view.height) - 1,
+    pixel(upper[0], view.width) + 2, pixel(upper[1], view.height) + 2 }
+    .Intersection({ 0, 0, view.width, view.height });
+}
+
+/** For each tile the primitives, in ascending order, whose rectangles touch it. */
+class TileBins
+{
+public:
+  static constexpr int TileSize = 8; ///< pixels; keeps the fragments of a tile small in memory
+
+  TileBins() = default;
+
+  TileBins(int width, int height, std::vector<PixelRectangle> rectangles)
+    : Columns((width + TileSize - 1) / TileSize)
+    , Rectangles(std::move(rectangles))
+  {
+    const int rows = (height + TileSize - 1) / TileSize;
+    this->Offsets.assign(static_cast<std::size_t>(this->Columns) * rows + 1, 0);
+    this->ForEachTile([this](std::size_t, std::size_t tile) { ++this->Offsets[tile + 1]; });
+    for (std::size_t tile = 1; tile < this->Offsets.size(); ++tile)
+    {
+      this->Offsets[tile] += this->Offsets[tile - 1];
+    }
+    this->Primitives.resize(this->Offsets.back());
+    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
+    this->ForEachTile([this, &next](std::size_t primitive, std::size_t tile)
+      { this->Primitives[next[tile]++] = primitive; });
+  }
+
+  const std::size_t* Begin(std::size_t tile) const
+  {
+    return this->Primitives.data() + this->Offsets[tile];
+  }
+  const std::size_t* End(std::size_t tile) const
+  {
+    return this->Primitives.data() + this->Offsets[tile + 1];
+  }
+  const PixelRectangle& Rectangle(std::size_t primitive) const
+  {
+    return this->Rectangles[primitive];
+  }
+
+private:
+  template <typename Visit>
+  void ForEachTile(Visit&& visit) const
+  {
+    for (std::size_t primitive = 0; primitive < this->Rectangles.size(); ++primitive)
+    {
+      const PixelRectangle& r = this->Rectangles[primitive];
+      for (int y = r.y0 / TileSize; r.Width() && y * TileSize < r.y1; ++y)
+      {
+        for (int x = r.x0 / TileSize; x * TileSize < r.x1; ++x)
+        {
+          visit(primitive, static_cast<std::size_t>(y) * this->Columns + x);
+        }
+      }
+    }
+  }
+
+  int Columns = 0;
+  std::vector<PixelRectangle> Rectangles;
+  std::vector<std::size_t> Offsets{ 0 };
+  std::vector<std::size_t> Primitives;
+};
+
+/** Casts the view rays of a scene, which must outlive it unchanged. */
+template <typename Real>
+class RayCaster
+{
+public:
+  explicit RayCaster(const Scene<Real>& scene)
+    : Input(scene)
+    , TriangleBins(scene.view.width, scene.view.height, this->BoundTriangles())
+    , PieceBins(scene.view.width, scene.view.height, this->BoundPieces())
+  {
+  }
+
+  int GetNumberOfTiles() const { return this->Columns() * this->Rows(); }
+
+  /** The pixels of a tile; at the upper and right borders it may be cut. */
+  PixelRectangle GetTile(int tile) const
+  {
+    const int x = tile % this->Columns() * TileBins::TileSize;
+    const int y = tile / this->Columns() * TileBins::TileSize;
+    return PixelRectangle{ x, y, x + TileBins::TileSize, y + TileBins::TileSize }.Intersection(
+      { 0, 0, this->Input.view.width, this->Input.view.height });
+  }
+
+  int GetTileOfPixel(int x, int y) const
+  {
+    return y / TileBins::TileSize * this->Columns() + x / TileBins::TileSize;
+  }
+
+  /**
+   * Find the fragments of the pixels `area` of a tile and sort them. `pixels` gets one entry for
+   * each pixel, row by row; passing the same vector again and again keeps its memory in use.
+   */
+  void Cast(int tile, const PixelRectangle& area, std::vector<PixelFragments<Real>>& pixels) const
+  {
+    pixels.resize(static_cast<std::size_t>(area.Width()) * area.Height());
+    for (auto& pixel : pixels)
+    {
+      pixel.Clear();
+    }
+    this->CastTriangles(tile, area, pixels);
+    this->CastTubes(tile, area, pixels);
+    for (auto& pixel : pixels)
+    {
+      pixel.Sort();
+    }
+  }
+
+private:
+  using Pixels = std::vector<PixelFragments<Real>>;
+
+  int Columns() const
+  {
+    return (this->Input.view.width + TileBins::TileSize - 1) / TileBins::TileSize;
+  }
+  int Rows() const
+  {
+    return (this->Input.view.height + TileBins::TileSize - 1) / TileBins::TileSize;
+  }
+
+  std::vector<PixelRectangle> BoundTriangles() const
+  {
+    std::vector<PixelRectangle> bounds;
+    bounds.reserve(this->Input.triangles.size());
+    for (const Triangle& triangle : this->Input.triangles)
+    {
+      bounds.push_back(ScreenBounds(this->Input.view, this->ClipCorners(triangle)));
+    }
+    return bounds;
+  }
+
+  std::vector<PixelRectangle> BoundPieces() const
+  {
+    std::vector<PixelRectangle> bounds;
+    bounds.reserve(this->Input.tubePieces.size());
+    for (const auto& piece : this->Input.tubePieces)
+    {
+      const auto cone = this->Cone(piece);
+      const Vector3<Real> lower =
+        glm::min(cone.center[0] - cone.radius[0], cone.center[1] - cone.radius[1]);
+      const Vector3<Real> upper =
+        glm::max(cone.center[0] + cone.radius[0], cone.center[1] + cone.radius[1]);
+      std::array<Vector4<Real>, 8> corners;
+      for (int i = 0; i < 8; ++i)
+      {
+        corners[i] = this->Input.view.ClipCoordinates(
+          { (i & 1 ? upper : lower).x, (i & 2 ? upper : lower).y, (i & 4 ? upper : lower).z });
+      }
+      bounds.push_back(ScreenBounds(this->Input.view, corners));
+    }
+    return bounds;
+  }
+
+  std::array<Vector4<Real>, 3> ClipCorners(const Triangle& triangle) const
+  {
+    std::array<Vector4<Real>, 3> corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] =
+        this->Input.view.ClipCoordinates(this->Input.vertices[triangle.vertices[i]].position);
+    }
+    return corners;
+  }
+
+  RoundedCone<Real> Cone(const TubePiece<Real>& piece) const
+  {
+    const auto& first = this->Input.tubePoints[piece.first];
+    const auto& last = this->Input.tubePoints[piece.last];
+    return { { first.position, last.position }, { first.radius, last.radius } };
+  }
+
+  void CastTriangles(int tile, const PixelRectangle& area, Pixels& pixels) const
+  {
+    for (auto id = this->TriangleBins.Begin(tile); id != this->TriangleBins.End(tile); ++id)
+    {
+      const Triangle& triangle = this->Input.triangles[*id];
+      const auto clip = this->ClipCorners(triangle);
+      std::array<Vector3<Real>, 3> corners;
+      for (int i = 0; i < 3; ++i)
+      {
+        corners[i] = { clip[i].x, clip[i].y, clip[i].w };
+      }
+      ForEachPixel(area, this->TriangleBins.Rectangle(*id),
+        [&](int x, int y, std::size_t pixel)
+        {
+          const auto hit = IntersectTriangle(
+            corners, this->Input.view.NormalizedX(x), this->Input.view.NormalizedY(y));
+          if (hit)
+          {
+            const Vector4<Real> point =
+              hit->weights.x * clip[0] + hit->weights.y * clip[1] + hit->weights.z * clip[2];
+            this->AddTriangle(triangle, *hit, View<Real>::WindowDepth(point), pixels[pixel]);
+          }
+        });
+    }
+  }
+
+  void AddTriangle(const Triangle& triangle, const TriangleHit<Real>& hit, Real depth,
+    PixelFragments<Real>& pixel) const
+  {
+    const Surface<Real>& surface = this->Input.surfaces[triangle.surface];
+    if (!(depth >= 0 && depth <= 1) || (hit.frontFacing ? surface.cullFront : surface.cullBack))
+    {
+      return;
+    }
+    const auto& a = this->Input.vertices[triangle.vertices[0]];
+    const auto& b = this->Input.vertices[triangle.vertices[1]];
+    const auto& c = this->Input.vertices[triangle.vertices[2]];
+    const auto blend = [&hit](const auto& x, const auto& y, const auto& z)
+    { return hit.weights.x * x + hit.weights.y * y + hit.weights.z * z; };
+    const Vector3<Real> position = blend(a.position, b.position, c.position);
+    if (!IsInside(surface, position))
+    {
+      return;
+    }
+    Vector3<Real> normal = blend(a.normal, b.normal, c.normal);
+    const Real length = glm::length(normal);
+    if (length > 0)
+    {
+      normal *= (hit.frontFacing ? 1 : -1) / length;
+    }
+    else
+    {
+      normal = this->TowardsViewer(
+        glm::normalize(glm::cross(b.position - a.position, c.position - a.position)), position);
+    }
+    this->AddFragment(
+      surface, hit.frontFacing, blend(a.color, b.color, c.color), position, normal, depth, pixel);
+  }
+
+  Vector3<Real> TowardsViewer(const Vector3<Real>& normal, const Vector3<Real>& position) const
+  {
+    const bool away = this->Input.view.parallel ? normal.z < 0 : glm::dot(normal, position) > 0;
+    return away ? -normal : normal;
+  }
+
+  static bool IsInside(const Surface<Real>& surface, const Vector3<Real>& position)
+  {
+    return std::all_of(surface.clipping.begin(), surface.clipping.end(),
+      [&position](const HalfSpace<Real>& space) { return space.Height(position) >= 0; });
+  }
+
+  void AddFragment(const Surface<Real>& surface, bool frontFacing, const Vector4<Real>& attribute,
+    const Vector3<Real>& position, const Vector3<Real>& normal, Real depth,
+    PixelFragments<Real>& pixel) const
+  {
+    Material<Real> material = frontFacing ? surface.front : surface.back;
+    Real alpha = material.opacity;
+    if (surface.colorSource != ColorSource::Material)
+    {
+      const Vector4<Real> color = surface.colorSource == ColorSource::Table
+        ? surface.table.Lookup(attribute.x, attribute.y)
+        : attribute;
+      material.ambientColor = material.diffuseColor = Vector3<Real>(color);
+      alpha *= color.a;
+    }
+    const bool lit = surface.lit && !this->Input.lighting.lights.empty();
+    const Vector3<Real> color =
+      lit ? Shade(this->Input.lighting, material, position, normal) : Unlit(material);
+    pixel.Add({ depth,
+                { Saturate(color.r), Saturate(color.g), Saturate(color.b),
+                  surface.opaque ? Real(1) : Saturate(alpha) } },
+      surface.opaque);
+  }
+
+  /** Calls visit(x, y, index) for the pixels of `area` within `bounds`; index counts in `area`. */
+  template <typename Visit>
+  static void ForEachPixel(const PixelRectangle& area, const PixelRectangle& bounds, Visit&& visit)
+  {
+    const PixelRectangle common = area.Intersection(bounds);
+    for (int y = common.y0; y < common.y1; ++y)
+    {
+      for (int x = common.x0; x < common.x1; ++x)
+      {
+        visit(x, y, static_cast<std::size_t>(y - area.y0) * area.Width() + (x - area.x0));
+      }
+    }
+  }
+
+  /** The visible part of a pixel's ray: between near and far plane and inside the clipping planes,
+   * thus a single interval, since all of these are half-spaces. */
+  Ray<Real> VisibleRay(const Surface<Real>& surface, int x, int y) const
+  {
+    Ray<Real> ray = this->Input.view.PixelRay(x, y);
+    Interval<Real> visible{ ray.begin, ray.end };
+    for (const auto& space : surface.clipping)
+    {
+      Clip(visible, ray, space);
+    }
+    ray.begin = visible.begin;
+    ray.end = visible.end;
+    return ray;
+  }
+
+  /**
+   * A piece of a tube is seen from outside where its cone is entered at a point that belongs to the
+   * piece. A ray that starts inside a tube, cut open by the near plane or a clipping plane, also
+   * sees the inner wall, once, where it first leaves the tube.
+   */
+  void CastTubes(int tile, const PixelRectangle& area, Pixels& pixels) const
+  {
+    auto id = this->PieceBins.Begin(tile);
+    const auto end = this->PieceBins.End(tile);
+    std::vector<bool> startsInside(pixels.size());
+    while (id != end)
+    {
+      const auto& firstPiece = this->Input.tubePieces[*id];
+      const auto tubeEnd = std::find_if(id, end,
+        [this, &firstPiece](std::size_t other)
+        { return this->Input.tubePieces[other].tube != firstPiece.tube; });
+      startsInside.assign(pixels.size(), false);
+      bool anyInside = false;
+      for (auto piece = id; piece != tubeEnd; ++piece)
+      {
+        ForEachPixel(area, this->PieceBins.Rectangle(*piece),
+          [&](int x, int y, std::size_t pixel)
+          {
+            if (this->CastPiece(this->Input.tubePieces[*piece], x, y, pixels[pixel]))
+            {
+              startsInside[pixel] = anyInside = true;
+            }
+          });
+      }
+      if (anyInside)
+      {
+        ForEachPixel(area, area,
+          [&](int x, int y, std::size_t pixel)
+          {
+            if (startsInside[pixel])
+            {
+              this->CastInnerWall(id, tubeEnd, x, y, pixels[pixel]);
+            }
+          });
+      }
+      id = tubeEnd;
+    }
+  }
+
+  /** Adds the front fragment, if there is one; returns whether the ray starts inside the piece. */
+  bool CastPiece(const TubePiece<Real>& piece, int x, int y, PixelFragments<Real>& pixel) const
+  {
+    const Ray<Real> ray = this->VisibleRay(this->Input.surfaces[piece.surface], x, y);
+    const auto crossing = IntersectRoundedCone(ray, this->Cone(piece));
+    if (!crossing || !(ray.begin <= ray.end))
+    {
+      return false;
+    }
+    if (ray.Contains(crossing->entry.t) && piece.Owns(ray.At(crossing->entry.t)))
+    {
+      this->AddTube(piece, ray, crossing->entry, 1, pixel);
+    }
+    const auto inside = this->InsidePiece(piece, ray, *crossing);
+    return inside.begin < ray.begin && ray.begin < inside.end;
+  }
+
+  /** The part of a ray that lies in a piece of a tube, before near and clipping planes. */
+  Interval<Real> InsidePiece(
+    const TubePiece<Real>& piece, const Ray<Real>& ray, const ConeCrossing<Real>& crossing) const
+  {
+    Interval<Real> inside{ crossing.entry.t, crossing.exit.t };
+    Clip(inside, ray, piece.start);
+    Clip(inside, ray, { piece.end.point, -piece.end.normal });
+    return inside;
+  }
+
+  /**
+   * Adds the inner wall of the tube in which the ray starts. Pieces are joined, along the ray, into
+   * the stretch that the ray passes inside their union; pieces that share a plane join exactly,
+   * because both get the same ray parameter for it.
+   */
+  template <typename Iterator>
+  void CastInnerWall(Iterator begin, Iterator end, int x, int y, PixelFragments<Real>& pixel) const
+  {
+    struct Stretch
+    {
+      Interval<Real> inside;
+      const TubePiece<Real>* piece;
+      ConeHit<Real> exit;
+    };
+    const Ray<Real> ray =
+      this->VisibleRay(this->Input.surfaces[this->Input.tubePieces[*begin].surface], x, y);
+    std::vector<Stretch> stretches;
+    for (auto id = begin; id != end; ++id)
+    {
+      const auto& piece = this->Input.tubePieces[*id];
+      if (const auto crossing = IntersectRoundedCone(ray, this->Cone(piece)))
+      {
+        const auto inside = this->InsidePiece(piece, ray, *crossing);
+        if (!inside.IsEmpty())
+        {
+          stretches.push_back({ inside, &piece, crossing->exit });
+        }
+      }
+    }
+    std::stable_sort(stretches.begin(), stretches.end(),
+      [](const Stretch& a, const Stretch& b) { return a.inside.begin < b.inside.begin; });
+
+    const Stretch* last = nullptr;
+    Real reached = ray.begin;
+    for (const Stretch& stretch : stretches)
+    {
+      if (stretch.inside.begin <= reached && stretch.inside.end > reached)
+      {
+        reached = stretch.inside.end;
+        last = &stretch;
+      }
+    }
+    if (last && ray.Contains(last->exit.t) && last->piece->Owns(ray.At(last->exit.t)))
+    {
+      this->AddTube(*last->piece, ray, last->exit, -1, pixel);
+    }
+  }
+
+  /** `side` is 1 for the outer wall of a tube and -1 for the inner. */
+  void AddTube(const TubePiece<Real>& piece, const Ray<Real>& ray, const ConeHit<Real>& hit,
+    int side, PixelFragments<Real>& pixel) const
+  {
+    const Vector3<Real> position = ray.At(hit.t);
+    const Vector3<Real> normal =
+      RoundedConeNormal(this->Cone(piece), position, hit.axis) * static_cast<Real>(side);
+    const Vector4<Real> color = glm::mix(this->Input.tubePoints[piece.first].color,
+      this->Input.tubePoints[piece.last].color, hit.axis);
+    const Real depth = View<Real>::WindowDepth(this->Input.view.ClipCoordinates(position));
+    this->AddFragment(this->Input.surfaces[piece.surface], true, color, position, normal,
+      glm::clamp(depth, Real(0), Real(1)), pixel);
+  }
+
+  const Scene<Real>& Input;
+  TileBins TriangleBins;
+  TileBins PieceBins;
+};
+}
+
+#endif
