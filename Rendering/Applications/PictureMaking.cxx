@@ -134,6 +134,7 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
   const auto renderer = MakeRenderer(scene, options, Method::Pellucid, aspect);
   vtkNew<vtkReferenceRenderer> reference;
   reference->SetRenderer(renderer);
+  reference->SetTransparentBackground(options.TransparentBackground);
   reference->SetSize(options.Size[0], options.Size[1]);
   const auto start = std::chrono::steady_clock::now();
   {
@@ -144,7 +145,7 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
     std::chrono::steady_clock::now() - start;
 
   Frame frame;
-  frame.Picture = Quantize(reference->GetImage(), 3);
+  frame.Picture = Quantize(reference->GetImage(), options.TransparentBackground ? 4 : 3);
   frame.Statistics.Fragments = reference->GetNumberOfFragments();
   frame.Statistics.LongestList = reference->GetLongestList();
   frame.Statistics.Tiles = 1;

@@ -114,7 +114,7 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     renderer->SetMaximumNumberOfPeels(std::numeric_limits<int>::max());
     renderer->SetOcclusionRatio(0.0);
   }
-  SetUpCamera(renderer, options, aspect);
+  SetUpCamera(renderer, scene, options, aspect);
   return renderer;
 }
 }
