@@ -74,11 +74,6 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
   {
     const auto renderer = MakeRenderer(scene, options, methods[i], aspect);
     renderer->SetViewport(i / count, 0.0, (i + 1) / count, 1.0);
-    if (options.TransparentBackground)
-    {
-      renderer->SetBackground(0.0, 0.0, 0.0);
-      renderer->SetBackgroundAlpha(0.0);
-    }
     if (options.Compare)
     {
       AddTitle(renderer, GetTitle(methods[i]), options);
@@ -153,6 +148,25 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
   frame.Statistics.Renderer = "Pellucid reference renderer";
   return frame;
 }
+
+//------------------------------------------------------------------------------
+// Colours come premultiplied out of blending over transparent black; picture files hold them
+// straight.
+void DivideByAlpha(vtkImageData* picture)
+{
+  auto* pixels = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  for (vtkIdType pixel = 0; pixel < pixels->GetNumberOfTuples(); ++pixel)
+  {
+    unsigned char* color = pixels->GetPointer(4 * pixel);
+    const int alpha = color[3];
+    std::transform(color, color + 3, color,
+      [alpha](int component)
+      {
+        return static_cast<unsigned char>(
+          alpha > 0 ? std::min(255, (component * 255 + alpha / 2) / alpha) : 0);
+      });
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -160,6 +174,10 @@ Frame MakePicture(const Scene& scene, const RenderOptions& options)
 {
   Frame frame = options.Reference ? MakePictureWithReference(scene, options)
                                   : MakePictureWithOpenGL(scene, options);
+  if (options.TransparentBackground)
+  {
+    DivideByAlpha(frame.Picture);
+  }
   frame.Statistics.InputPoints = scene.GetNumberOfPoints();
   frame.Statistics.InputLines = scene.GetNumberOfLines();
   return frame;

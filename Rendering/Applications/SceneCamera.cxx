@@ -116,15 +116,17 @@ Vector3 FitPosition(const Scene& scene, const PictureAxes& axes, const double ta
 {
   constexpr double none = std::numeric_limits<double>::lowest();
   double reach[2][2] = { { none, none }, { none, none } };
-  VisitPoints(scene, [&](const double* point) {
-    const Vector3 position = axes.ToPicture(point);
-    for (int axis = 0; axis < 2; ++axis)
+  VisitPoints(scene,
+    [&](const double* point)
     {
-      const double depth = tangents[axis] * position[2];
-      reach[axis][0] = std::max(reach[axis][0], depth - position[axis]);
-      reach[axis][1] = std::max(reach[axis][1], depth + position[axis]);
-    }
-  });
+      const Vector3 position = axes.ToPicture(point);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double depth = tangents[axis] * position[2];
+        reach[axis][0] = std::max(reach[axis][0], depth - position[axis]);
+        reach[axis][1] = std::max(reach[axis][1], depth + position[axis]);
+      }
+    });
   Vector3 camera;
   for (int axis = 0; axis < 2; ++axis)
   {
