@@ -251,7 +251,7 @@ void vtkFieldStreamlines::Trace(vtkFieldVectors& field, vtkPoints* seeds, vtkPol
   tracer->SetInterpolatorTypeToCellLocator();
   tracer->SetSurfaceStreamlines(field.GetDimension() == 2);
   tracer->SetComputeVorticity(false);
-  tracer->SetMaximumPropagation(this->MaximumLength > 0.0 ? this->MaximumLength : diagonal);
+  tracer->SetMaximumPropagation(this->MaximumLength > 0.0 ? this->MaximumLength : 0.5 * diagonal);
   tracer->SetMaximumNumberOfSteps(this->MaximumNumberOfSteps);
   tracer->SetTerminalSpeed(this->TerminalSpeedFraction * field.GetMaximumMagnitude());
 

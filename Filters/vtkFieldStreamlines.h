@@ -118,7 +118,7 @@ public:
   ///@{
   /**
    * Length in world units after which a line ends, in each direction from its seed; 0 (the default)
-   * is the diagonal of the bounding box.
+   * is half the diagonal of the bounding box.
    */
   vtkSetClampMacro(MaximumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumLength, double);

@@ -9,10 +9,10 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 
 #include <algorithm>
-#include <iterator>
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -21,13 +21,13 @@ namespace pellucid
 namespace
 {
 constexpr int TableSize = 256;
+constexpr double OutlierShare = 0.01;     // of the values, at either end of the range
+constexpr vtkIdType SampleSize = 1000000; // values of an array that are looked at, about
 
-// Nine colours of viridis, by S. van der Walt and N. Smith (2015, CC0): its lightness grows evenly.
-constexpr double Viridis[9][3] = { { 0.267004, 0.004874, 0.329415 },
-  { 0.278826, 0.175490, 0.483397 }, { 0.229739, 0.322361, 0.545706 },
-  { 0.172719, 0.448791, 0.557885 }, { 0.127568, 0.566949, 0.550556 },
-  { 0.157851, 0.683765, 0.501686 }, { 0.369214, 0.788888, 0.382914 },
-  { 0.678489, 0.863742, 0.189503 }, { 0.993248, 0.906157, 0.143936 } };
+// Cool to warm: K. Moreland, Diverging Color Maps for Scientific Visualization (2009). Both ends
+// stay visible on dark and on light backgrounds.
+constexpr double Cool[3] = { 0.230, 0.299, 0.754 };
+constexpr double Warm[3] = { 0.706, 0.016, 0.150 };
 
 //------------------------------------------------------------------------------
 // Call visit(array, association) for every array of numbers that has a name.
@@ -107,16 +107,46 @@ std::string ListArrays(const std::vector<Drawable>& drawables)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkLookupTable> MakeTable(double minimum, double maximum)
+// Append finite values of the array, lengths in case of vectors; of a large array, some.
+void Sample(vtkDataArray* array, std::vector<double>& values)
 {
-  constexpr int colors = static_cast<int>(std::size(Viridis));
-  vtkNew<vtkColorTransferFunction> function;
-  function->SetColorSpaceToLab();
-  for (int i = 0; i < colors; ++i)
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> tuple(components);
+  const vtkIdType step = std::max<vtkIdType>(1, array->GetNumberOfTuples() / SampleSize);
+  for (vtkIdType id = 0; id < array->GetNumberOfTuples(); id += step)
   {
-    const double share = static_cast<double>(i) / (colors - 1);
-    function->AddRGBPoint(share, Viridis[i][0], Viridis[i][1], Viridis[i][2]);
+    array->GetTuple(id, tuple.data());
+    const double value = components == 1 ? tuple.front() : vtkMath::Norm(tuple.data(), components);
+    if (std::isfinite(value))
+    {
+      values.push_back(value);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+// The value below which that share of the values lies; 0 of no values.
+double GetQuantile(std::vector<double>& values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto position =
+    values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), position, values.end());
+  return *position;
+}
+
+//------------------------------------------------------------------------------
+// Colours from the smallest to the largest of the values, less a few of either end that would
+// otherwise take most of the colours.
+vtkSmartPointer<vtkLookupTable> MakeTable(std::vector<double>& values)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToDiverging();
+  function->AddRGBPoint(0.0, Cool[0], Cool[1], Cool[2]);
+  function->AddRGBPoint(1.0, Warm[0], Warm[1], Warm[2]);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(TableSize);
   for (int i = 0; i < TableSize; ++i)
@@ -125,7 +155,7 @@ vtkSmartPointer<vtkLookupTable> MakeTable(double minimum, double maximum)
     function->GetColor(static_cast<double>(i) / (TableSize - 1), color);
     table->SetTableValue(i, color[0], color[1], color[2]);
   }
-  table->SetTableRange(minimum, maximum);
+  table->SetTableRange(GetQuantile(values, OutlierShare), GetQuantile(values, 1.0 - OutlierShare));
   table->SetVectorModeToMagnitude();
   return table;
 }
@@ -141,8 +171,7 @@ Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& na
     this->Name = ChooseName(*drawable);
   }
 
-  double minimum = std::numeric_limits<double>::max();
-  double maximum = std::numeric_limits<double>::lowest();
+  std::vector<double> values;
   for (const Drawable& drawable : drawables)
   {
     VisitArrays(drawable,
@@ -150,19 +179,16 @@ Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& na
       {
         if (this->Name == array->GetName())
         {
-          double range[2];
-          array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
-          minimum = std::min(minimum, range[0]);
-          maximum = std::max(maximum, range[1]);
+          Sample(array, values);
         }
       });
   }
-  if (!name.empty() && minimum > maximum)
+  if (!name.empty() && values.empty())
   {
     throw RenderError("--color-by: there is no array '" + name + "' with numbers; there are " +
       ListArrays(drawables));
   }
-  this->Table = MakeTable(minimum, maximum);
+  this->Table = MakeTable(values);
 }
 
 //------------------------------------------------------------------------------

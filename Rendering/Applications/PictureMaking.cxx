@@ -74,11 +74,6 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
   {
     const auto renderer = MakeRenderer(scene, options, methods[i], aspect);
     renderer->SetViewport(i / count, 0.0, (i + 1) / count, 1.0);
-    if (options.TransparentBackground)
-    {
-      renderer->SetBackground(0.0, 0.0, 0.0);
-      renderer->SetBackgroundAlpha(0.0);
-    }
     if (options.Compare)
     {
       AddTitle(renderer, GetTitle(methods[i]), options);
@@ -134,6 +129,7 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
   const auto renderer = MakeRenderer(scene, options, Method::Pellucid, aspect);
   vtkNew<vtkReferenceRenderer> reference;
   reference->SetRenderer(renderer);
+  reference->SetTransparentBackground(options.TransparentBackground);
   reference->SetSize(options.Size[0], options.Size[1]);
   const auto start = std::chrono::steady_clock::now();
   {
@@ -144,13 +140,32 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
     std::chrono::steady_clock::now() - start;
 
   Frame frame;
-  frame.Picture = Quantize(reference->GetImage(), 3);
+  frame.Picture = Quantize(reference->GetImage(), options.TransparentBackground ? 4 : 3);
   frame.Statistics.Fragments = reference->GetNumberOfFragments();
   frame.Statistics.LongestList = reference->GetLongestList();
   frame.Statistics.Tiles = 1;
   frame.Statistics.Stages.emplace_back("render", elapsed.count());
   frame.Statistics.Renderer = "Pellucid reference renderer";
   return frame;
+}
+
+//------------------------------------------------------------------------------
+// Colours come premultiplied out of blending over transparent black; picture files hold them
+// straight.
+void DivideByAlpha(vtkImageData* picture)
+{
+  auto* pixels = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  for (vtkIdType pixel = 0; pixel < pixels->GetNumberOfTuples(); ++pixel)
+  {
+    unsigned char* color = pixels->GetPointer(4 * pixel);
+    const int alpha = color[3];
+    std::transform(color, color + 3, color,
+      [alpha](int component)
+      {
+        return static_cast<unsigned char>(
+          alpha > 0 ? std::min(255, (component * 255 + alpha / 2) / alpha) : 0);
+      });
+  }
 }
 }
 
@@ -159,6 +174,10 @@ Frame MakePicture(const Scene& scene, const RenderOptions& options)
 {
   Frame frame = options.Reference ? MakePictureWithReference(scene, options)
                                   : MakePictureWithOpenGL(scene, options);
+  if (options.TransparentBackground)
+  {
+    DivideByAlpha(frame.Picture);
+  }
   frame.Statistics.InputPoints = scene.GetNumberOfPoints();
   frame.Statistics.InputLines = scene.GetNumberOfLines();
   return frame;

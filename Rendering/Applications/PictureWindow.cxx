@@ -8,9 +8,7 @@
 
 #include "vtkExactTransparencyPass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkTextureObject.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -29,24 +27,6 @@ public:
   ThrowingErrors() { MessageLog::GetInstance().SetThrowing(true); }
   ~ThrowingErrors() { MessageLog::GetInstance().SetThrowing(false); }
 };
-
-//------------------------------------------------------------------------------
-// Colours come premultiplied out of blending; picture files hold them straight.
-void DivideByAlpha(vtkImageData* picture)
-{
-  auto* pixels = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
-  for (vtkIdType pixel = 0; pixel < pixels->GetNumberOfTuples(); ++pixel)
-  {
-    unsigned char* color = pixels->GetPointer(4 * pixel);
-    const int alpha = color[3];
-    std::transform(color, color + 3, color,
-      [alpha](int component)
-      {
-        return static_cast<unsigned char>(
-          alpha > 0 ? std::min(255, (component * 255 + alpha / 2) / alpha) : 0);
-      });
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -121,12 +101,7 @@ vtkSmartPointer<vtkImageData> PictureWindow::Grab(bool withAlpha)
     grabber->SetInputBufferTypeToRGBA();
   }
   grabber->Update();
-  vtkSmartPointer<vtkImageData> picture = grabber->GetOutput();
-  if (withAlpha)
-  {
-    DivideByAlpha(picture);
-  }
-  return picture;
+  return grabber->GetOutput();
 }
 
 //------------------------------------------------------------------------------

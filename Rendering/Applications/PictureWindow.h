@@ -34,7 +34,7 @@ public:
 
   void AddRenderer(vtkRenderer* renderer) { this->Window->AddRenderer(renderer); }
 
-  /** The last frame, in 3 components of unsigned char, or 4 with straight alpha. */
+  /** The last frame, in 3 components of unsigned char, or 4 with alpha. */
   vtkSmartPointer<vtkImageData> Grab(bool withAlpha);
 
   /** "OpenGL renderer string", "OpenGL version string", as the driver says them. */

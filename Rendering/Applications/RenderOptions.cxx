@@ -241,7 +241,7 @@ void AddPictureOptions(CLI::App& app, RenderOptions& options)
       }
       options.Background = *color;
     },
-    "R,G,B", "Background colour, each 0 to 1; default 1,1,1");
+    "R,G,B", "Background colour, each 0 to 1; default 0.05,0.06,0.08");
   group.AddFlag("--transparent-background", options.TransparentBackground,
     "Write an alpha channel that is 0 where nothing is drawn");
 }
@@ -254,7 +254,7 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
     "Point or cell array that colours, a vector by its length; default: the speed of traced lines, "
     "otherwise the active or first array");
   group.AddNumber(
-    "--opacity", options.Opacity, 0.0, 1.0, "A", "Opacity of everything, 0 to 1; default 0.4");
+    "--opacity", options.Opacity, 0.0, 1.0, "A", "Opacity of everything, 0 to 1; default 0.3");
   group.AddNumber("--radius", options.Radius, 0.0, std::numeric_limits<double>::max(), "R",
     "Radius of lines and points in world units; default 0: from the data");
   group.AddChoice("--lighting", options.Lighting,

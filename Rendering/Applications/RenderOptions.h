@@ -41,12 +41,12 @@ struct RenderOptions
 
   // picture
   std::array<int, 2> Size = { 1280, 960 };
-  Vector3 Background = { 1.0, 1.0, 1.0 };
+  Vector3 Background = { 0.05, 0.06, 0.08 };
   bool TransparentBackground = false;
 
   // appearance
   std::string ColorBy; // empty: speed of traced lines, or the active or first array
-  double Opacity = 0.4;
+  double Opacity = 0.3;
   double Radius = 0.0; // world units; 0: from the data
   bool Lighting = true;
 

@@ -108,13 +108,19 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     AddActor(renderer, mapper, options);
   }
   renderer->SetBackground(options.Background.data());
+  if (options.TransparentBackground)
+  {
+    // Black adds nothing to the colours, so that dividing by alpha gives them back.
+    renderer->SetBackground(0.0, 0.0, 0.0);
+    renderer->SetBackgroundAlpha(0.0);
+  }
   if (method == Method::VTKPeeling)
   {
     renderer->UseDepthPeelingOn();
     renderer->SetMaximumNumberOfPeels(std::numeric_limits<int>::max());
     renderer->SetOcclusionRatio(0.0);
   }
-  SetUpCamera(renderer, options, aspect);
+  SetUpCamera(renderer, scene, options, aspect);
   return renderer;
 }
 }

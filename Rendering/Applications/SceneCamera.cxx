@@ -3,16 +3,17 @@
 
 #include "SceneCamera.h"
 
-#include "RenderOptions.h"
+#include "RenderScene.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace pellucid
 {
@@ -20,7 +21,7 @@ namespace
 {
 constexpr double AzimuthDegrees = 30.0;   // off the axis across the longer horizontal side
 constexpr double ElevationDegrees = 25.0; // above the horizon
-constexpr double FilledShare = 0.94;      // of the picture's width or height
+constexpr double FilledShare = 0.92;      // of the picture's width or height
 
 struct View
 {
@@ -51,69 +52,121 @@ View ChooseView(const vtkBoundingBox& box)
 }
 
 //------------------------------------------------------------------------------
-// Greatest distance of the box's corners from the middle of the picture, 1 being its edge.
-double GetExtentInPicture(vtkCamera* camera, const vtkBoundingBox& box, double aspect)
+// Coordinates along three axes of the picture: to the right, up, and towards the camera.
+class PictureAxes
 {
-  vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
-  double extent = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
+public:
+  explicit PictureAxes(const Vector3& towardsCamera, const Vector3& up)
   {
-    double position[4] = { 0.0, 0.0, 0.0, 1.0 };
-    box.GetCorner(corner, position);
-    matrix->MultiplyPoint(position, position);
-    extent = std::max(
-      { extent, std::abs(position[0] / position[3]), std::abs(position[1] / position[3]) });
+    this->Axes[2] = towardsCamera;
+    vtkMath::Cross(up.data(), towardsCamera.data(), this->Axes[0].data());
+    vtkMath::Normalize(this->Axes[0].data());
+    vtkMath::Cross(this->Axes[2].data(), this->Axes[0].data(), this->Axes[1].data());
   }
-  return extent;
-}
+
+  Vector3 ToPicture(const double world[3]) const
+  {
+    return { vtkMath::Dot(world, this->Axes[0].data()), vtkMath::Dot(world, this->Axes[1].data()),
+      vtkMath::Dot(world, this->Axes[2].data()) };
+  }
+
+  Vector3 ToWorld(const Vector3& picture) const
+  {
+    Vector3 world = { 0.0, 0.0, 0.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        world[i] += picture[axis] * this->Axes[axis][i];
+      }
+    }
+    return world;
+  }
+
+private:
+  std::array<Vector3, 3> Axes;
+};
 
 //------------------------------------------------------------------------------
-// Move the camera along its view direction until the box fills the picture.
-void Approach(vtkCamera* camera, const vtkBoundingBox& box, double aspect)
+template <typename Visitor>
+void VisitPoints(const Scene& scene, const Visitor& visit)
 {
-  // A dolly changes the perspective, so that a step does not reach the goal at once.
-  constexpr int steps = 8;
-  for (int step = 0; step < steps; ++step)
+  for (const Drawable& drawable : scene.Drawables)
   {
-    const double extent = GetExtentInPicture(camera, box, aspect);
-    if (extent > 0.0)
+    for (vtkPolyData* leaf : drawable.GetLeaves())
     {
-      camera->Dolly(std::clamp(FilledShare / extent, 0.5, 2.0));
+      for (vtkIdType id = 0; id < leaf->GetNumberOfPoints(); ++id)
+      {
+        double point[3];
+        leaf->GetPoint(id, point);
+        if (std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]))
+        {
+          visit(point);
+        }
+      }
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// The nearest position of a camera, in coordinates of the picture, from which all points lie in a
+// frustum with these tangents of half its angles. Each side plane of the frustum is pushed against
+// the points; of the two pairs of planes, the one that needs the larger distance decides.
+Vector3 FitPosition(const Scene& scene, const PictureAxes& axes, const double tangents[2])
+{
+  constexpr double none = std::numeric_limits<double>::lowest();
+  double reach[2][2] = { { none, none }, { none, none } };
+  VisitPoints(scene,
+    [&](const double* point)
+    {
+      const Vector3 position = axes.ToPicture(point);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double depth = tangents[axis] * position[2];
+        reach[axis][0] = std::max(reach[axis][0], depth - position[axis]);
+        reach[axis][1] = std::max(reach[axis][1], depth + position[axis]);
+      }
+    });
+  Vector3 camera;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    camera[axis] = 0.5 * (reach[axis][1] - reach[axis][0]);
+  }
+  camera[2] = std::max(0.5 * (reach[0][0] + reach[0][1]) / tangents[0],
+    0.5 * (reach[1][0] + reach[1][1]) / tangents[1]);
+  return camera;
+}
 }
 
 //------------------------------------------------------------------------------
-void SetUpCamera(vtkRenderer* renderer, const RenderOptions& options, double aspect)
+void SetUpCamera(
+  vtkRenderer* renderer, const Scene& scene, const RenderOptions& options, double aspect)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  vtkBoundingBox box(renderer->ComputeVisiblePropBounds());
-  if (!box.IsValid())
-  {
-    return;
-  }
-
+  vtkBoundingBox box;
+  VisitPoints(scene, [&box](const double* point) { box.AddPoint(point[0], point[1], point[2]); });
   const View view = ChooseView(box);
-  Vector3 center;
-  box.GetCenter(center.data());
-  const Vector3 focalPoint = options.FocalPoint.value_or(center);
-  Vector3 position;
-  for (int i = 0; i < 3; ++i)
-  {
-    position[i] = focalPoint[i] + 2.0 * box.GetDiagonalLength() * view.Direction[i];
-  }
-  camera->SetFocalPoint(focalPoint.data());
-  camera->SetPosition(options.CameraPosition.value_or(position).data());
+  const PictureAxes axes(view.Direction, view.Up);
+  const double tangent =
+    FilledShare * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const double tangents[2] = { tangent * aspect, tangent };
+
+  Vector3 position = FitPosition(scene, axes, tangents);
+  Vector3 focalPoint;
+  box.GetCenter(focalPoint.data());
+  Vector3 middle = axes.ToPicture(focalPoint.data());
+  // One point fits any camera; keep a distance that does not vanish.
+  position[2] = std::max(position[2], middle[2] + 1e-3 * std::max(1.0, box.GetDiagonalLength()));
+  middle[0] = position[0];
+  middle[1] = position[1];
+
+  camera->SetPosition(options.CameraPosition.value_or(axes.ToWorld(position)).data());
+  camera->SetFocalPoint(options.FocalPoint.value_or(axes.ToWorld(middle)).data());
   camera->SetViewUp(options.ViewUp.value_or(view.Up).data());
   if (options.ParallelScale > 0.0)
   {
     camera->ParallelProjectionOn();
     camera->SetParallelScale(options.ParallelScale);
-  }
-  else if (!options.CameraPosition)
-  {
-    Approach(camera, box, aspect);
   }
   renderer->ResetCameraClippingRange();
 }

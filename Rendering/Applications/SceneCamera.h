@@ -13,13 +13,15 @@ class vtkRenderer;
 namespace pellucid
 {
 struct RenderOptions;
+struct Scene;
 
 /**
- * Place the renderer's camera as the options say. What they leave open: look slightly from above at
- * the middle of the scene, its longer horizontal side across a picture of width / height =
- * `aspect`, z up, and near enough to fill the picture; flat scenes are seen from the front.
+ * Place the renderer's camera as the options say. What they leave open: look slightly from above,
+ * the longer horizontal side of the scene across the picture, z up, and so near that the points
+ * fill a picture of width / height = `aspect`; a flat scene is seen from the front.
  */
-void SetUpCamera(vtkRenderer* renderer, const RenderOptions& options, double aspect);
+void SetUpCamera(
+  vtkRenderer* renderer, const Scene& scene, const RenderOptions& options, double aspect);
 }
 
 #endif
