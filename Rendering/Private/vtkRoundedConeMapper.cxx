@@ -1,0 +1,558 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkRoundedConeMapper.h"
+
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLError.h" // and the OpenGL loader, whose header differs between VTK versions
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include "vtkRoundedConeDecFS.h"
+#include "vtkRoundedConeExitDecFS.h"
+#include "vtkRoundedConeExitImplFS.h"
+#include "vtkRoundedConeImplFS.h"
+#include "vtkRoundedConeVS.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkRoundedConeMapper);
+
+namespace
+{
+// Quads that one draw call takes: they share one index buffer of this length.
+constexpr vtkIdType QuadsPerDraw = 65536;
+
+// VTK's own limit, and the size of the array in the shader.
+constexpr int MaximumClippingPlanes = 6;
+
+// A shader source that substitutes as vtkShaderProgram does, and is stored back when it goes.
+class ShaderEdit
+{
+public:
+  explicit ShaderEdit(vtkShader* shader)
+    : Shader(shader)
+    , Source(shader->GetSource())
+  {
+  }
+  ~ShaderEdit() { this->Shader->SetSource(this->Source); }
+  ShaderEdit(const ShaderEdit&) = delete;
+  void operator=(const ShaderEdit&) = delete;
+
+  void Replace(const std::string& tag, const std::string& code)
+  {
+    vtkShaderProgram::Substitute(this->Source, tag, code, false);
+  }
+
+private:
+  vtkShader* Shader;
+  std::string Source;
+};
+
+// A homogeneous point by a transposed matrix.
+std::array<double, 3> TransformPoint(const double point[4], vtkMatrix4x4* transposed)
+{
+  std::array<double, 4> sum{};
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      sum[j] += point[i] * transposed->GetElement(i, j);
+    }
+  }
+  return { { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] } };
+}
+
+// Coefficients of the plane whose value at a point of view coordinates is that clip coordinate.
+std::array<double, 4> ClipRow(vtkMatrix4x4* viewToClip, int column)
+{
+  std::array<double, 4> row;
+  for (int i = 0; i < 4; ++i)
+  {
+    row[i] = viewToClip->GetElement(i, column);
+  }
+  return row;
+}
+}
+
+//------------------------------------------------------------------------------
+template <typename Value>
+bool vtkRoundedConeMapper::BufferTexture::Upload(
+  vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components)
+{
+  this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType(); // or it keeps those of the last upload
+  const int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  this->Current =
+    this->Buffer->Upload(values, count * components, vtkOpenGLBufferObject::TextureBuffer) &&
+    this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(count), components, type, this->Buffer);
+  return this->Current;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::BufferTexture::Release(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
+  this->Current = false;
+}
+
+//------------------------------------------------------------------------------
+vtkRoundedConeMapper::vtkRoundedConeMapper()
+{
+  // The superclass asks its input for points and normals to decide what to draw and light.
+  vtkNew<vtkPolyData> placeholder;
+  placeholder->SetPoints(vtkNew<vtkPoints>());
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  placeholder->GetPointData()->SetNormals(normals);
+  this->SetInputData(placeholder);
+  this->SetPopulateSelectionSettings(0);
+  this->ColorMap->RepeatOff();
+}
+
+//------------------------------------------------------------------------------
+vtkRoundedConeMapper::~vtkRoundedConeMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetNodes(const vtkTrajectoryNodes* nodes)
+{
+  this->Nodes = nodes;
+  this->NodeTexture.Current = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetPropertyColors()
+{
+  this->DirectColors.clear();
+  this->TextureCoordinates.clear();
+  this->Source = ColorSource::Property;
+  this->ShaderVariantTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetDirectColors(std::vector<unsigned char> colors)
+{
+  this->SetPropertyColors();
+  this->DirectColors = std::move(colors);
+  this->Source = ColorSource::Direct;
+  this->ColorTexture.Current = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetTextureColors(std::vector<float> coordinates, vtkImageData* colorMap)
+{
+  this->SetPropertyColors();
+  this->TextureCoordinates = std::move(coordinates);
+  this->ColorMap->SetInputData(colorMap);
+  this->Source = ColorSource::Texture;
+  this->ColorTexture.Current = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->NodeTexture.Release(window);
+  this->ColorTexture.Release(window);
+  this->ColorMap->ReleaseGraphicsResources(window);
+  this->Primitives[PrimitiveTris].IBO->IndexCount = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!this->NodeTexture.Current)
+  {
+    const auto& nodes = this->Nodes->GetNodes();
+    this->NodeTexture.Upload(window, nodes.front().data(), nodes.size(), 4);
+  }
+  if (this->Source == ColorSource::Direct && !this->ColorTexture.Current)
+  {
+    this->ColorTexture.Upload(window, this->DirectColors.data(), this->DirectColors.size() / 4, 4);
+  }
+  if (this->Source == ColorSource::Texture && !this->ColorTexture.Current)
+  {
+    this->ColorTexture.Upload(
+      window, this->TextureCoordinates.data(), this->TextureCoordinates.size() / 2, 2);
+  }
+
+  vtkOpenGLIndexBufferObject* indices = this->Primitives[PrimitiveTris].IBO;
+  const vtkIdType quads = std::min(this->Nodes->GetNumberOfNodes(), QuadsPerDraw);
+  if (indices->IndexCount < static_cast<std::size_t>(6 * quads))
+  {
+    std::vector<unsigned int> corners;
+    corners.reserve(6 * quads);
+    for (unsigned int first = 0; first < 4 * quads; first += 4)
+    {
+      corners.insert(
+        corners.end(), { first, first + 1, first + 2, first + 2, first + 1, first + 3 });
+    }
+    indices->Upload(corners, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
+    indices->IndexCount = corners.size();
+  }
+
+  this->UpdateMatrices(renderer, actor);
+  this->UpdateCutOpen();
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4* worldToView;
+  vtkMatrix4x4* worldToClip;
+  vtkMatrix4x4* viewToClip;
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+  vtkMatrix4x4* dataToWorld;
+  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, normals);
+
+  // In double precision down to here: far from the origin, the large numbers cancel.
+  vtkNew<vtkMatrix4x4> nodeToData;
+  for (int i = 0; i < 3; ++i)
+  {
+    nodeToData->SetElement(3, i, this->Nodes->GetCenter()[i]);
+  }
+  vtkMatrix4x4::Multiply4x4(nodeToData, dataToWorld, this->NodeToView);
+  vtkMatrix4x4::Multiply4x4(this->NodeToView, worldToView, this->NodeToView);
+  this->WorldToView->DeepCopy(worldToView);
+  this->ViewToClip->DeepCopy(viewToClip);
+  vtkMatrix4x4::Invert(viewToClip, this->ClipToView);
+  this->Parallel = camera->GetParallelProjection() != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::UpdateCutOpen()
+{
+  vtkBoundingBox corners;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    corners.AddPoint(TransformPoint(clip, this->ClipToView).data());
+  }
+  vtkBoundingBox trajectories;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double node[4] = { 0.0, 0.0, 0.0, 1.0 };
+    this->Nodes->GetPointBounds().GetCorner(corner, node);
+    vtkMath::Subtract(node, this->Nodes->GetCenter().data(), node);
+    trajectories.AddPoint(TransformPoint(node, this->NodeToView).data());
+  }
+  trajectories.Inflate(this->Nodes->GetMaximumRadius());
+
+  this->EnteredTubes.clear();
+  if (trajectories.Intersects(corners))
+  {
+    vtkEnteredTubes::NearPlane nearPlane;
+    corners.GetCenter(nearPlane.Center.data());
+    nearPlane.Radius = 0.5 * corners.GetDiagonalLength();
+    nearPlane.Parallel = this->Parallel;
+    this->EnteredTubes = vtkEnteredTubes::Find(*this->Nodes, this->NodeToView, nearPlane);
+  }
+  const bool cutOpen = this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
+  if (cutOpen != this->CutOpen)
+  {
+    this->CutOpen = cutOpen;
+    this->ShaderVariantTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  // Quads have no back, and a hardware selection by points must see what hides what.
+  vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  if (renderer->GetSelector())
+  {
+    state->vtkglDepthMask(GL_TRUE);
+  }
+
+  this->NodeTexture.Texture->Activate();
+  if (this->Source != ColorSource::Property)
+  {
+    this->ColorTexture.Texture->Activate();
+  }
+  if (this->Source == ColorSource::Texture)
+  {
+    this->ColorMap->Load(renderer);
+  }
+
+  vtkOpenGLHelper& helper = this->Primitives[PrimitiveTris];
+  this->UpdateShaders(helper, renderer, actor);
+  if (helper.Program)
+  {
+    helper.IBO->Bind();
+    const vtkIdType count = this->Nodes->GetNumberOfNodes();
+    for (vtkIdType first = 0; first < count; first += QuadsPerDraw)
+    {
+      const vtkIdType quads = std::min(QuadsPerDraw, count - first);
+      glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT,
+        nullptr, static_cast<GLint>(4 * first));
+    }
+    helper.IBO->Release();
+  }
+  vtkOpenGLCheckErrorMacro("failed after drawing rounded cones");
+
+  if (this->Source == ColorSource::Texture)
+  {
+    this->ColorMap->PostRender(renderer);
+  }
+  if (this->Source != ColorSource::Property)
+  {
+    this->ColorTexture.Texture->Deactivate();
+  }
+  this->NodeTexture.Texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRoundedConeMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor) ||
+    cellBO.ShaderSourceTime < this->ShaderVariantTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::GetShaderTemplate(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  shaders[vtkShader::Vertex]->SetSource(vtkRoundedConeVS);
+  shaders[vtkShader::Geometry]->SetSource("");
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::ReplaceShaderValues(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  {
+    ShaderEdit vertex(shaders[vtkShader::Vertex]);
+    ShaderEdit fragment(shaders[vtkShader::Fragment]);
+    fragment.Replace("//VTK::PositionVC::Dec", "");
+    fragment.Replace("//VTK::PositionVC::Impl", "");
+    fragment.Replace("//VTK::Normal::Dec", vtkRoundedConeDecFS);
+    fragment.Replace("//VTK::Depth::Impl", vtkRoundedConeImplFS);
+    if (this->CutOpen)
+    {
+      vertex.Replace("//VTK::Exit::Dec",
+        "uniform int enteredCount;\n"
+        "uniform int enteredStretches[64];\n"
+        "flat out int enteredMask;\n");
+      vertex.Replace("//VTK::Exit::Impl",
+        "enteredMask = 0;\n"
+        "  for (int i = 0; i < enteredCount; ++i)\n"
+        "  {\n"
+        "    bool seen = enteredStretches[2 * i] <= node && node <= enteredStretches[2 * i + 1];\n"
+        "    enteredMask |= seen ? 1 << i : 0;\n"
+        "  }\n");
+      fragment.Replace("//VTK::Exit::Dec", vtkRoundedConeExitDecFS);
+      fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
+    }
+
+    if (this->Source != ColorSource::Property)
+    {
+      const std::string type = this->Source == ColorSource::Direct ? "vec4" : "vec2";
+      const std::string swizzle = this->Source == ColorSource::Direct ? "" : ".xy";
+      vertex.Replace("//VTK::NodeColor::Dec",
+        "uniform samplerBuffer nodeColors;\n"
+        "flat out " +
+          type +
+          " startColor;\n"
+          "flat out " +
+          type + " endColor;\n");
+      vertex.Replace("//VTK::NodeColor::Impl",
+        "startColor = texelFetch(nodeColors, node)" + swizzle +
+          ";\n"
+          "  endColor = texelFetch(nodeColors, last)" +
+          swizzle + ";\n");
+      fragment.Replace("//VTK::NodeColor::Dec",
+        "flat in " + type +
+          " startColor;\n"
+          "flat in " +
+          type + " endColor;\n");
+      // The superclass puts its own code in front of this, and this overrides its colours.
+      const std::string mixed =
+        "mix(startColor, endColor, clamp(0.5 + 0.5 * hit.w / max(coneShape.x, 1e-30), 0.0, 1.0))";
+      const std::string color =
+        this->Source == ColorSource::Direct ? mixed : "texture(nodeColorMap, " + mixed + ")";
+      fragment.Replace("//VTK::Color::Impl",
+        "//VTK::Color::Impl\n"
+        "  vec4 nodeColor = " +
+          color +
+          ";\n"
+          "  ambientColor = ambientIntensity * nodeColor.rgb;\n"
+          "  diffuseColor = diffuseIntensity * nodeColor.rgb;\n"
+          "  opacity = opacityUniform * nodeColor.a;\n");
+    }
+    if (this->Source == ColorSource::Direct)
+    {
+      vertex.Replace("  //VTK::Exit::Impl",
+        "  if (max(startColor.a, endColor.a) <= 0.0)\n"
+        "  {\n"
+        "    return;\n"
+        "  }\n"
+        "  //VTK::Exit::Impl");
+    }
+    if (this->Source == ColorSource::Texture)
+    {
+      fragment.Replace("//VTK::TMap::Dec", "uniform sampler2D nodeColorMap;\n//VTK::TMap::Dec");
+    }
+  }
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::ReplaceShaderPicking(Shaders shaders, vtkRenderer*, vtkActor*)
+{
+  const int pass = this->LastSelectionState;
+  if (pass < vtkHardwareSelector::MIN_KNOWN_PASS)
+  {
+    return;
+  }
+  ShaderEdit vertex(shaders[vtkShader::Vertex]);
+  ShaderEdit fragment(shaders[vtkShader::Fragment]);
+  const bool low =
+    pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_LOW24;
+  const bool high =
+    pass == vtkHardwareSelector::POINT_ID_HIGH24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  if (!low && !high)
+  {
+    fragment.Replace("//VTK::Picking::Dec", "uniform vec3 mapperIndex;\n");
+    fragment.Replace("//VTK::Picking::Impl", "gl_FragData[0] = vec4(mapperIndex, 1.0);\n");
+    return;
+  }
+  // Raw ids are nodes; vtkTrajectoryMapper::ProcessSelectorPixelBuffers turns them into the
+  // input's.
+  const bool points =
+    pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  vertex.Replace("//VTK::Picking::Dec", "flat out ivec2 nodeIds;\n");
+  vertex.Replace("//VTK::Picking::Impl", "nodeIds = ivec2(node, last);\n");
+  fragment.Replace("//VTK::Picking::Dec", "flat in ivec2 nodeIds;\n");
+  fragment.Replace("//VTK::Picking::Impl",
+    std::string("int id = ") + (points ? "hit.w > 0.0 ? nodeIds.y : nodeIds.x" : "nodeIds.x") +
+      (low ? ";\n  gl_FragData[0] = vec4(vec3(id & 255, id >> 8 & 255, id >> 16 & 255) / 255.0, "
+             "1.0);\n"
+           : ";\n  gl_FragData[0] = vec4(float(id >> 24 & 255) / 255.0, 0.0, 0.0, 1.0);\n"));
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkShaderProgram* program = cellBO.Program;
+  program->SetUniformi("nodes", this->NodeTexture.Texture->GetTextureUnit());
+  if (this->Source != ColorSource::Property)
+  {
+    program->SetUniformi("nodeColors", this->ColorTexture.Texture->GetTextureUnit());
+  }
+  if (this->Source == ColorSource::Texture)
+  {
+    program->SetUniformi("nodeColorMap", this->ColorMap->GetTextureUnit());
+  }
+  if (this->CutOpen)
+  {
+    this->SetClipParameters(program);
+  }
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
+{
+  int count = this->GetNumberOfClippingPlanes();
+  if (count > MaximumClippingPlanes)
+  {
+    vtkErrorMacro("A mapper can be cut by at most " << MaximumClippingPlanes
+                                                    << " clipping planes, but has " << count
+                                                    << ": remove some, or cut the data.");
+    count = MaximumClippingPlanes;
+  }
+  vtkNew<vtkMatrix4x4> viewToWorld;
+  vtkMatrix4x4::Invert(this->WorldToView, viewToWorld);
+  viewToWorld->Transpose();
+  float planes[MaximumClippingPlanes][4] = {};
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(viewToWorld, i, plane);
+    std::copy(plane, plane + 4, planes[i]);
+  }
+  program->SetUniformi("clipPlaneCount", count);
+  program->SetUniform4fv("clipPlanesVC", MaximumClippingPlanes, planes);
+
+  float balls[2 * vtkEnteredTubes::Maximum][4] = {};
+  int stretches[2 * vtkEnteredTubes::Maximum] = {};
+  const int entered = static_cast<int>(this->EnteredTubes.size());
+  for (int i = 0; i < entered; ++i)
+  {
+    const vtkEnteredTubes::Tube& tube = this->EnteredTubes[i];
+    std::copy(tube.Balls[0].begin(), tube.Balls[0].end(), balls[2 * i]);
+    std::copy(tube.Balls[1].begin(), tube.Balls[1].end(), balls[2 * i + 1]);
+    stretches[2 * i] = static_cast<int>(tube.First);
+    stretches[2 * i + 1] = static_cast<int>(tube.Last);
+  }
+  program->SetUniformi("enteredCount", entered);
+  program->SetUniform4fv("enteredBalls", 2 * vtkEnteredTubes::Maximum, balls);
+  program->SetUniform1iv("enteredStretches", 2 * vtkEnteredTubes::Maximum, stretches);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetFrustum(vtkShaderProgram* program)
+{
+  const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
+  float planes[6][4];
+  for (int i = 0; i < 6; ++i)
+  {
+    const std::array<double, 4> row = ClipRow(this->ViewToClip, i / 2);
+    double plane[4];
+    for (int j = 0; j < 4; ++j)
+    {
+      plane[j] = w[j] + (i % 2 ? row[j] : -row[j]);
+    }
+    const double norm = std::hypot(plane[0], plane[1], plane[2]);
+    for (int j = 0; j < 4; ++j)
+    {
+      planes[i][j] = static_cast<float>(norm > 0.0 ? plane[j] / norm : 0.0);
+    }
+  }
+  program->SetUniform4fv("frustumVC", 6, planes);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
+  vtkShaderProgram* program = cellBO.Program;
+  program->SetUniformMatrix("nodeVCMatrix", this->NodeToView);
+  program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
+  program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
+  program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
+  program->SetUniformf(
+    "nearVC", static_cast<float>(renderer->GetActiveCamera()->GetClippingRange()[0]));
+  this->SetFrustum(program);
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRoundedConeMapper
+ * @brief   Draw the nodes of trajectories as ray-cast rounded cones.
+ *
+ * The part of vtkTrajectoryMapper that issues OpenGL calls for lines and vertices. It takes lights,
+ * material, the hooks of render passes and the shader cache from vtkOpenGLPolyDataMapper, and
+ * replaces the geometry: a vertex shader fetches the nodes from buffer textures and makes one
+ * view-aligned quad for each segment, the fragment shader intersects the view ray with it
+ * (Gross and Gumhold 2021, section 5). See glsl/vtkRoundedConeVS.glsl.
+ *
+ * Graphics memory: 16 bytes for each node and 4 for its colour, or 8 for a texture coordinate.
+ */
+
+#ifndef vtkRoundedConeMapper_h
+#define vtkRoundedConeMapper_h
+
+#include "vtkEnteredTubes.h"
+#include "vtkMatrix4x4.h" // for camera and actor
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h" // for buffer textures
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLTexture.h" // for the colour map
+#include "vtkTextureObject.h" // for buffer textures
+#include "vtkTrajectoryNodes.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkImageData;
+
+class vtkRoundedConeMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkRoundedConeMapper* New();
+  vtkTypeMacro(vtkRoundedConeMapper, vtkOpenGLPolyDataMapper);
+
+  /** How nodes get their colour. */
+  enum class ColorSource
+  {
+    Property, ///< the colour of the actor's property
+    Direct,   ///< one RGBA for each node
+    Texture   ///< one coordinate (s, t) for each node, looked up in the colour map
+  };
+
+  /** Draw these nodes from now on; the caller keeps them alive and calls this after each change. */
+  void SetNodes(const vtkTrajectoryNodes* nodes);
+
+  ///@{
+  /** Colours from now on. Arrays hold 4 or 2 values for each node. */
+  void SetPropertyColors();
+  void SetDirectColors(std::vector<unsigned char> colors);
+  void SetTextureColors(std::vector<float> coordinates, vtkImageData* colorMap);
+  ///@}
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRoundedConeMapper();
+  ~vtkRoundedConeMapper() override;
+
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetCameraShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+  using Shaders = std::map<vtkShader::Type, vtkShader*>;
+  void GetShaderTemplate(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderPicking(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+
+  ///@{
+  /** What does not apply to quads that stand for something else. */
+  void ReplaceShaderNormal(Shaders, vtkRenderer*, vtkActor*) override {}
+  void ReplaceShaderTCoord(Shaders, vtkRenderer*, vtkActor*) override {}
+  void ReplaceShaderClip(Shaders, vtkRenderer*, vtkActor*) override {}
+  void ReplaceShaderCoincidentOffset(Shaders, vtkRenderer*, vtkActor*) override {}
+  bool HaveWideLines(vtkRenderer*, vtkActor*) override { return false; }
+  bool DrawingEdges(vtkRenderer*, vtkActor*) override { return false; }
+  ///@}
+
+private:
+  vtkRoundedConeMapper(const vtkRoundedConeMapper&) = delete;
+  void operator=(const vtkRoundedConeMapper&) = delete;
+
+  /** An array of values that shaders fetch by index. */
+  struct BufferTexture
+  {
+    vtkNew<vtkTextureObject> Texture;
+    vtkNew<vtkOpenGLBufferObject> Buffer;
+    bool Current = false; ///< what the graphics memory holds is what shall be drawn
+
+    template <typename Value>
+    bool Upload(
+      vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components);
+    void Release(vtkWindow* window);
+  };
+
+  void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
+  void UpdateCutOpen();
+  void SetClipParameters(vtkShaderProgram* program);
+  void SetFrustum(vtkShaderProgram* program);
+
+  const vtkTrajectoryNodes* Nodes = nullptr;
+  BufferTexture NodeTexture;
+
+  ColorSource Source = ColorSource::Property;
+  std::vector<unsigned char> DirectColors;
+  std::vector<float> TextureCoordinates;
+  BufferTexture ColorTexture;
+  vtkNew<vtkOpenGLTexture> ColorMap;
+
+  // transposed, as VTK's key matrices are
+  vtkNew<vtkMatrix4x4> WorldToView;
+  vtkNew<vtkMatrix4x4> NodeToView;
+  vtkNew<vtkMatrix4x4> ViewToClip;
+  vtkNew<vtkMatrix4x4> ClipToView;
+  bool Parallel = false;
+
+  std::vector<vtkEnteredTubes::Tube> EnteredTubes;
+  bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
+  vtkTimeStamp ShaderVariantTime;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTrajectoryNodes
+ * @brief   The lines and vertices of some vtkPolyData as one array of nodes for a shader.
+ *
+ * A node is a point with a radius; a run is the sequence of nodes of one cell. A node that is
+ * joined to the next one begins a segment. Nodes hold what is left after cleaning:
+ * - consecutive coincident points of a line are one node;
+ * - a line of which one point is left is a single node, drawn as a ball, as vertices are;
+ * - points or radii that are not finite are left out and split their line
+ * (GetNumberOfInvalidPoints);
+ * - negative radii count as 0.
+ *
+ * Cost: one pass over the points for extent and length, one to write; 24 bytes for each node.
+ */
+
+#ifndef vtkTrajectoryNodes_h
+#define vtkTrajectoryNodes_h
+
+#include "vtkBoundingBox.h" // for the bounds
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h" // for the leaves
+
+#include <array>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkTrajectoryNodes
+{
+public:
+  /** One vtkPolyData of the input and its flat index in the composite input (1: not composite). */
+  struct Leaf
+  {
+    vtkSmartPointer<vtkPolyData> Data;
+    unsigned int FlatIndex;
+  };
+
+  /** The nodes of one cell, from FirstNode to the FirstNode of the next run. */
+  struct Run
+  {
+    vtkIdType FirstNode;
+    vtkIdType Cell; ///< cell id in its leaf
+    std::size_t Leaf;
+  };
+
+  /** Four floats of a node: point minus GetCenter(); radius, negated when joined to the next node.
+   */
+  using Node = std::array<float, 4>;
+
+  /** Take the lines and vertices of `leaves`. `radius` 0 derives one from the data; a one-component
+   * point array `radiusArray`, where a leaf has it, replaces it. */
+  void Build(std::vector<Leaf> leaves, double radius, const std::string& radiusArray);
+
+  const std::vector<Leaf>& GetLeaves() const { return this->Leaves; }
+  const std::vector<Run>& GetRuns() const { return this->Runs; }
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+
+  /** Point id, in its leaf, of each node. */
+  const std::vector<vtkIdType>& GetPointIds() const { return this->PointIds; }
+
+  vtkIdType GetNumberOfNodes() const { return static_cast<vtkIdType>(this->Nodes.size()); }
+
+  /** The run that holds a node. \pre 0 <= node < GetNumberOfNodes() */
+  const Run& GetRun(vtkIdType node) const;
+
+  /** What was subtracted from the points: the middle of their bounds. */
+  const std::array<double, 3>& GetCenter() const { return this->Center; }
+
+  /** Bounds of all balls; not valid when there is no node. */
+  const vtkBoundingBox& GetBounds() const { return this->Bounds; }
+
+  ///@{
+  /** Bounds of the points alone, and the largest radius. */
+  const vtkBoundingBox& GetPointBounds() const { return this->PointBounds; }
+  double GetMaximumRadius() const { return this->MaximumRadius; }
+  ///@}
+
+  /** The constant radius: as given to Build(), or derived. */
+  double GetRadius() const { return this->Radius; }
+
+  /** Points left out because a coordinate or the radius is not finite. */
+  vtkIdType GetNumberOfInvalidPoints() const { return this->NumberOfInvalidPoints; }
+
+private:
+  class Extent;
+
+  void AddCell(const Leaf& leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points);
+
+  std::vector<Leaf> Leaves;
+  std::vector<Run> Runs;
+  std::vector<Node> Nodes;
+  std::vector<vtkIdType> PointIds;
+  std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
+  vtkBoundingBox Bounds;
+  vtkBoundingBox PointBounds;
+  double MaximumRadius = 0.0;
+  double Radius = 0.0;
+  vtkIdType NumberOfInvalidPoints = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

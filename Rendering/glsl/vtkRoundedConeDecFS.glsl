@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Declarations for the fragment shader of rounded cones: the flat description of one segment that
+// vtkRoundedConeVS.glsl writes (see there), and the intersection with the view ray.
+
+uniform mat4 VCDCMatrix;
+uniform float perspective;
+smooth in vec3 quadLC;
+flat in vec2 rayLC;
+flat in vec3 centerVC;
+flat in vec3 axisVC;
+flat in vec3 sideVC;
+flat in vec3 coneShape;
+flat in vec4 startPlaneLC;
+flat in vec4 endPlaneLC;
+
+//VTK::NodeColor::Dec
+
+// A view ray in LC, started where it passes the axis, and the quadratic
+// k.z t^2 + 2 k.y t + k.x that is negative inside the double cone around the segment.
+struct ConeRay
+{
+  vec3 origin;
+  vec3 direction;
+  vec3 k;
+  float root;  // square root of the discriminant; negative: the ray misses
+};
+
+ConeRay viewRay()
+{
+  float slope = coneShape.z;
+  ConeRay ray;
+  ray.direction = normalize(vec3(rayLC, 0.0) + perspective * quadLC);
+  vec2 aside = ray.direction.yz;
+  float a = dot(aside, aside);
+  ray.origin = quadLC - dot(quadLC.yz, aside) / max(a, 1e-6) * ray.direction;
+  float c2 = 1.0 - slope * slope;
+  float f = coneShape.y - slope * ray.origin.x;
+  ray.k = vec3(c2 * dot(ray.origin.yz, ray.origin.yz) - f * f,
+    c2 * dot(ray.origin.yz, aside) + slope * ray.direction.x * f,
+    c2 * a - slope * slope * ray.direction.x * ray.direction.x);
+  float h = ray.k.y * ray.k.y - ray.k.z * ray.k.x;
+  ray.root = h < 0.0 && ray.k.z > 0.0 ? -1.0 : sqrt(max(h, 0.0));
+  return ray;
+}
+
+// The hit: xyz in LC, and in w the position on the axis of the ball that the point lies on.
+// `side` is -1 for the entry, +1 for the exit. False: the ray misses.
+bool hitCone(ConeRay ray, float side, out vec4 hit)
+{
+  float slope = coneShape.z;
+  // of the two forms of the root the one without cancellation
+  float k1 = side * ray.k.y;
+  float k2 = abs(ray.k.z) < 1e-20 ? 1e-20 : ray.k.z;
+  float t = side * (k1 < 0.0 ? (ray.root - k1) / k2 : -ray.k.x / max(ray.root + k1, 1e-30));
+  vec3 point = ray.origin + t * ray.direction;
+  float ball = (point.x - slope * coneShape.y) / (1.0 - slope * slope);
+  if (!(abs(ball) < coneShape.x))
+  {
+    // On the mirrored nappe: a ray inside the double cone comes from, or goes to, the wide end.
+    bool mirrored = coneShape.y - slope * ball <= 0.0;
+    if (mirrored && ray.k.z > 0.0)
+    {
+      return false;
+    }
+    ball = (mirrored ? slope < 0.0 : ball > 0.0) ? coneShape.x : -coneShape.x;
+    vec3 start = ray.origin - vec3(ball, 0.0, 0.0);
+    float middle = dot(start, ray.direction);
+    vec3 nearest = start - middle * ray.direction;
+    float radius = coneShape.y - slope * ball;
+    float h = radius * radius - dot(nearest, nearest);
+    if (h < 0.0)
+    {
+      return false;
+    }
+    point = nearest + side * sqrt(h) * ray.direction + vec3(ball, 0.0, 0.0);
+  }
+  hit = vec4(point, ball);
+  return true;
+}
+
+vec3 segmentToView(vec3 v)
+{
+  return v.x * axisVC + v.y * sideVC + v.z * cross(axisVC, sideVC);
+}
+
+// Is the point on the segment's side of its two joints (Gross and Gumhold 2021, eq. 11)?
+bool betweenJoints(vec3 point)
+{
+  return dot(startPlaneLC, vec4(point, 1.0)) <= 0.0 && dot(endPlaneLC, vec4(point, 1.0)) < 0.0;
+}
+
+//VTK::Exit::Dec

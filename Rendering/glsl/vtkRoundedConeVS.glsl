@@ -1,0 +1,293 @@
+//VTK::System::Dec
+
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One quad for each node i of the trajectories: four vertices draw the segment from node i to node
+// i + 1, or the ball of a node that has no neighbour. The quad is view-aligned and encloses the
+// outline of the rounded cone, as in Gross and Gumhold 2021, section 5.1; unlike there it is made
+// in the plane perpendicular to the middle ray, which has no special case for the order of the radii.
+// No vertex attribute is read: gl_VertexID is 4 i + corner.
+//
+// Frames: VC view coordinates; LC the frame of a segment: origin in its middle, x along its axis,
+// y in the plane of axis and view ray, z across.
+
+// xyz: point minus the centre of the data, data units. |w|: radius, world units; w < 0: a segment
+// leads to the next node.
+uniform samplerBuffer nodes;
+
+uniform mat4 nodeVCMatrix;  // node to VC
+uniform mat4 VCDCMatrix;
+uniform mat4 DCVCMatrix;
+uniform vec4 frustumVC[6];  // inward planes, unit normals
+uniform float perspective;  // 1, or 0 for parallel projection
+
+smooth out vec3 quadLC;      // the point of the quad
+flat out vec2 rayLC;         // xy of the way from the eye to the LC origin; parallel: view direction
+flat out vec3 centerVC;      // the LC origin
+flat out vec3 axisVC;        // the LC x axis
+flat out vec3 sideVC;        // the LC y axis
+flat out vec3 coneShape;     // half length, radius in the middle, decrease of the radius along x
+flat out vec4 startPlaneLC;  // the segment lies where dot(plane, (p, 1)) <= 0
+flat out vec4 endPlaneLC;    // ... and < 0
+
+//VTK::CustomUniforms::Dec
+
+//VTK::NodeColor::Dec
+
+//VTK::Exit::Dec
+
+//VTK::Picking::Dec
+
+const float WHOLE_VIEW = 0.05;  // an eye nearer than this to the surface, in radii, gets a full quad
+const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1.0);
+
+float cross2(vec2 a, vec2 b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+vec3 anyNormal(vec3 v)
+{
+  vec3 other = abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  return normalize(cross(v, other));
+}
+
+// What bounds the quad at one end of a segment: a ball, or where a joint cuts the ball off, a disc.
+struct End
+{
+  float x;       // centre on the LC x axis
+  float radius;
+  bool disc;
+};
+
+// A joint plane that leaves the axis at an angle g keeps no point farther out than radius * sin(g).
+End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius, float slope)
+{
+  float cosine = plane.x * outward;
+  if (cosine <= 0.0)
+  {
+    return End(x, radius, false);
+  }
+  float reach = max(sqrt(max(1.0 - cosine * cosine, 0.0)), slope * outward);
+  float cut = x + outward * radius * reach;
+  return End(cut, (middleRadius - slope * cut) / sqrt(1.0 - slope * slope), true);
+}
+
+// The interval (x, y) that an end covers in the plane at distance 1 along `middle`, z its half width
+// across; in parallel projection the same for the plane through the LC origin. Negative z: none.
+vec3 parallelExtent(End end, vec2 across)
+{
+  float reach = end.disc ? end.radius * abs(across.y) : end.radius;
+  return vec3(end.x * across.x - reach, end.x * across.x + reach, end.radius);
+}
+
+// The two rays that touch an end in the plane of eye and axis, counter-clockwise one first.
+vec4 touchingRays(End end, vec2 center)
+{
+  if (end.disc)
+  {
+    vec2 high = normalize(center + vec2(0.0, end.radius));
+    vec2 low = normalize(center - vec2(0.0, end.radius));
+    return center.x > 0.0 ? vec4(high, low) : vec4(low, high);
+  }
+  float distance = length(center);
+  float sine = end.radius / distance;
+  vec2 forward = center * sqrt(max(1.0 - sine * sine, 0.0)) / distance;
+  vec2 aside = vec2(-center.y, center.x) * sine / distance;
+  return vec4(forward + aside, forward - aside);
+}
+
+vec3 perspectiveExtent(End end, vec2 center, vec4 rays, vec2 middle, vec2 across)
+{
+  float depth = dot(center, middle);
+  if (depth < (1.0 + WHOLE_VIEW) * end.radius)
+  {
+    return vec3(0.0, 0.0, -1.0);
+  }
+  return vec3(dot(rays.xy, across) / dot(rays.xy, middle), dot(rays.zw, across) / dot(rays.zw, middle),
+    end.radius / sqrt(depth * depth - end.radius * end.radius));
+}
+
+// Half widths at the two sides (left, right) of a symmetric trapezoid over two boxes (left, right,
+// half width).
+vec2 trapezoid(vec3 a, vec3 b, vec2 sides)
+{
+  float widest = max(a.z, b.z);
+  float run = b.z > a.z ? b.x - a.x : b.y - a.y;
+  float foot = b.z > a.z ? a.x : a.y;
+  if (abs(run) < 1e-6 * (sides.y - sides.x))
+  {
+    return vec2(widest);
+  }
+  vec2 widths = a.z + (sides - foot) * (b.z - a.z) / run;
+  return run > 0.0 && widths.x + widths.y < 2.0 * widest ? widths : vec2(widest);
+}
+
+// Distance to the rounded cone from a point of the LC xy plane with y >= 0.
+float coneDistance(vec2 p, float halfLength, float middleRadius, float slope)
+{
+  // the nearest ball: where the surface normal through p leaves the axis
+  float ball = clamp(p.x - p.y * slope / sqrt(1.0 - slope * slope), -halfLength, halfLength);
+  return length(p - vec2(ball, 0.0)) - (middleRadius - slope * ball);
+}
+
+void main()
+{
+  int node = gl_VertexID >> 2;
+  vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the view until all tests are passed
+  quadLC = vec3(0.0);
+  rayLC = vec2(0.0);
+  centerVC = vec3(0.0);
+  axisVC = vec3(0.0);
+  sideVC = vec3(0.0);
+  coneShape = vec3(0.0);
+  startPlaneLC = NO_PLANE;
+  endPlaneLC = NO_PLANE;
+
+  vec4 node1 = texelFetch(nodes, node);
+  vec4 node0 = texelFetch(nodes, max(node - 1, 0));
+  bool joinedBefore = node > 0 && node0.w < 0.0;
+  bool segment = node1.w < 0.0;
+  if (joinedBefore && !segment)
+  {
+    return;
+  }
+  int last = segment ? node + 1 : node;
+  vec4 node2 = texelFetch(nodes, last);
+  bool joinedAfter = segment && node2.w < 0.0;
+
+  //VTK::NodeColor::Impl
+
+  //VTK::Exit::Impl
+
+  //VTK::Picking::Impl
+
+  vec3 x1 = (nodeVCMatrix * vec4(node1.xyz, 1.0)).xyz;
+  vec3 x2 = (nodeVCMatrix * vec4(node2.xyz, 1.0)).xyz;
+  float r1 = abs(node1.w);
+  float r2 = abs(node2.w);
+  if (max(r1, r2) < 1e-37)
+  {
+    return;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    float side1 = dot(frustumVC[i].xyz, x1) + frustumVC[i].w + r1;
+    float side2 = dot(frustumVC[i].xyz, x2) + frustumVC[i].w + r2;
+    if (max(side1, side2) < 0.0)
+    {
+      return;
+    }
+  }
+
+  vec3 joint1 = x1;
+  vec3 joint2 = x2;
+  float len = length(x2 - x1);
+  if (len <= abs(r1 - r2) * 1.0001)
+  {
+    // one ball contains the other
+    x1 = r1 > r2 ? x1 : x2;
+    x2 = x1;
+    r1 = max(r1, r2);
+    r2 = r1;
+    len = 0.0;
+  }
+
+  centerVC = 0.5 * (x1 + x2);
+  vec3 view = perspective > 0.5 ? centerVC : vec3(0.0, 0.0, -1.0);
+  axisVC = len > 0.0 ? (x2 - x1) / len : anyNormal(view);
+  vec3 wide = cross(axisVC, view);
+  wide = dot(wide, wide) > 1e-10 * dot(view, view) ? normalize(wide) : anyNormal(axisVC);
+  sideVC = cross(wide, axisVC);
+  rayLC = vec2(dot(view, axisVC), dot(view, sideVC));
+  float halfLength = 0.5 * len;
+  float middleRadius = 0.5 * (r1 + r2);
+  float slope = len > 0.0 ? (r1 - r2) / len : 0.0;
+  coneShape = vec3(halfLength, middleRadius, slope);
+
+  mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
+  mat3 nodeVC = mat3(nodeVCMatrix);
+  if (joinedBefore)
+  {
+    vec3 direction = nodeVC * (node0.xyz - node2.xyz);
+    if (dot(direction, direction) > 0.0)
+    {
+      startPlaneLC.xyz = toLC * normalize(direction);
+      startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
+    }
+  }
+  if (joinedAfter)
+  {
+    vec3 direction = nodeVC * (texelFetch(nodes, last + 1).xyz - node1.xyz);
+    if (dot(direction, direction) > 0.0)
+    {
+      endPlaneLC.xyz = toLC * normalize(direction);
+      endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
+    }
+  }
+
+  End end1 = End(-halfLength, r1, false);
+  End end2 = End(halfLength, r2, false);
+  if (len > 0.0)
+  {
+    end1 = makeEnd(-halfLength, -1.0, r1, startPlaneLC, middleRadius, slope);
+    end2 = makeEnd(halfLength, 1.0, r2, endPlaneLC, middleRadius, slope);
+  }
+
+  // Everything below is in the LC xy plane, which holds the eye and the axis, seen from the eye.
+  vec2 middle = rayLC;
+  vec2 across;
+  vec3 extent1;
+  vec3 extent2;
+  float planeDistance = 1.0;
+  float foot = 0.0;
+  bool whole = false;
+  if (perspective > 0.5)
+  {
+    vec2 center1 = vec2(rayLC.x + end1.x, rayLC.y);
+    vec2 center2 = vec2(rayLC.x + end2.x, rayLC.y);
+    whole = coneDistance(vec2(-rayLC.x, abs(rayLC.y)), halfLength, middleRadius, slope) <
+      WHOLE_VIEW * max(r1, r2);
+    vec4 rays1 = touchingRays(end1, center1);
+    vec4 rays2 = touchingRays(end2, center2);
+    vec2 first = cross2(rays1.xy, rays2.xy) > 0.0 ? rays2.xy : rays1.xy;
+    vec2 second = cross2(rays1.zw, rays2.zw) < 0.0 ? rays2.zw : rays1.zw;
+    middle = first + second;
+    whole = whole || dot(middle, middle) < 4.0 * WHOLE_VIEW * WHOLE_VIEW || cross2(second, first) < 0.0;
+    middle = normalize(middle);
+    across = vec2(middle.y, -middle.x);
+    planeDistance = dot(rayLC, middle);
+    foot = dot(rayLC, across);
+    extent1 = perspectiveExtent(end1, center1, rays1, middle, across);
+    extent2 = perspectiveExtent(end2, center2, rays2, middle, across);
+    whole = whole || planeDistance <= 0.0 || min(extent1.z, extent2.z) < 0.0;
+  }
+  else
+  {
+    across = vec2(middle.y, -middle.x);
+    extent1 = parallelExtent(end1, across);
+    extent2 = parallelExtent(end2, across);
+  }
+
+  if (whole)
+  {
+    // the quad is the view itself, on a plane about as far away as the segment
+    vec4 near = DCVCMatrix * vec4(2.0 * corner - 1.0, -1.0, 1.0);
+    vec3 nearVC = near.xyz / near.w;
+    float scale = (middleRadius + halfLength + length(centerVC)) / max(-nearVC.z, 1e-30);
+    quadLC = toLC * (nearVC * scale - centerVC);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+    return;
+  }
+  vec2 sides = vec2(min(extent1.x, extent2.x), max(extent1.y, extent2.y));
+  vec2 widths = trapezoid(extent1, extent2, sides) * 1.001;
+  sides += vec2(-0.001, 0.001) * max(extent1.z, extent2.z);
+  float along = mix(sides.x, sides.y, corner.x) * planeDistance - foot;
+  float aside = mix(widths.x, widths.y, corner.x) * planeDistance * (2.0 * corner.y - 1.0);
+  quadLC = vec3(across * along, aside);
+  vec4 position = VCDCMatrix * vec4(centerVC + transpose(toLC) * quadLC, 1.0);
+  // The hit points may lie on the other side of the near plane than the quad: clip at the eye only.
+  gl_Position = vec4(position.xy, 0.0, position.w);
+}

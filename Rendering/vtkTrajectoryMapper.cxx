@@ -1,0 +1,510 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTrajectoryMapper.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolygonPartMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkRoundedConeMapper.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTrajectoryColors.h"
+#include "vtkTrajectoryNodes.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkTrajectoryMapper);
+
+namespace
+{
+// What the COMPOSITE_INDEX pass of a hardware selection shows while it runs: the part that was hit.
+constexpr unsigned int ConePart = 1;
+constexpr unsigned int FirstPolygonPart = 2;
+
+unsigned int DecodePixel(const unsigned char* low, const unsigned char* high, unsigned int pixel)
+{
+  const unsigned int id = low[pixel] | low[pixel + 1] << 8 | low[pixel + 2] << 16;
+  return high ? id | static_cast<unsigned int>(high[pixel]) << 24 : id;
+}
+
+void EncodePixel(unsigned char* buffer, unsigned int pixel, vtkIdType value)
+{
+  for (int byte = 0; byte < 3; ++byte)
+  {
+    buffer[pixel + byte] = static_cast<unsigned char>(value >> 8 * byte & 0xff);
+  }
+}
+
+std::array<unsigned char, 4> GetPlainColor(vtkProperty* property)
+{
+  const double* color = property->GetColor();
+  std::array<unsigned char, 4> plain{ { 0, 0, 0, 255 } };
+  std::transform(color, color + 3, plain.begin(),
+    [](double value)
+    { return vtkScalarsToColors::ColorToUChar(vtkMath::ClampValue(value, 0.0, 1.0)); });
+  return plain;
+}
+}
+
+//------------------------------------------------------------------------------
+/** The mappers that draw a vtkTrajectoryMapper's input, and what they were made from. */
+class vtkTrajectoryMapper::Parts
+{
+public:
+  explicit Parts(vtkTrajectoryMapper* owner)
+    : Owner(owner)
+  {
+  }
+
+  /** Follow changes of the input and of the radius. */
+  void UpdateNodes();
+
+  void Render(vtkRenderer* renderer, vtkActor* actor);
+  void ReleaseGraphicsResources(vtkWindow* window);
+  bool HasTranslucentColors();
+  vtkBoundingBox GetBounds();
+  void Select(
+    vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
+
+  vtkTrajectoryNodes Nodes;
+
+private:
+  struct PolygonPart
+  {
+    std::size_t Leaf;
+    vtkNew<vtkPolygonPartMapper> Mapper;
+  };
+
+  /** What the nodes were built from. */
+  struct NodesKey
+  {
+    std::vector<vtkPolyData*> Leaves;
+    vtkMTimeType Time = 0;
+    double Radius = -1.0;
+    std::string RadiusArray;
+
+    bool operator==(const NodesKey& other) const
+    {
+      return this->Leaves == other.Leaves && this->Time == other.Time &&
+        this->Radius == other.Radius && this->RadiusArray == other.RadiusArray;
+    }
+  };
+
+  std::vector<vtkTrajectoryNodes::Leaf> FindLeaves() const;
+  vtkMTimeType GetAppearanceTime(vtkActor* actor) const;
+  void UpdateAppearance(vtkActor* actor);
+  void RenderPart(
+    vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor);
+  void SelectCones(vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels) const;
+
+  vtkTrajectoryMapper* Owner;
+  vtkNew<vtkRoundedConeMapper> Cones;
+  std::vector<std::unique_ptr<PolygonPart>> Polygons;
+  NodesKey Key;
+  vtkMTimeType AppearanceTime = 0;
+  bool UsesPropertyColor = false;
+};
+
+//------------------------------------------------------------------------------
+std::vector<vtkTrajectoryNodes::Leaf> vtkTrajectoryMapper::Parts::FindLeaves() const
+{
+  std::vector<vtkTrajectoryNodes::Leaf> leaves;
+  const auto add = [&leaves](vtkDataObject* object, unsigned int flatIndex)
+  {
+    vtkPolyData* data = vtkPolyData::SafeDownCast(object);
+    if (data && data->GetNumberOfPoints() > 0)
+    {
+      leaves.push_back({ data, flatIndex });
+    }
+  };
+  vtkDataObject* input = this->Owner->GetInputDataObject(0, 0);
+  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
+    }
+  }
+  else
+  {
+    add(input, 1);
+  }
+  return leaves;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::UpdateNodes()
+{
+  std::vector<vtkTrajectoryNodes::Leaf> leaves = this->FindLeaves();
+  NodesKey key;
+  for (const auto& leaf : leaves)
+  {
+    key.Leaves.push_back(leaf.Data);
+    key.Time = std::max(key.Time, leaf.Data->GetMTime());
+  }
+  key.Radius = this->Owner->GetRadius();
+  key.RadiusArray = this->Owner->GetRadiusArray() ? this->Owner->GetRadiusArray() : "";
+  if (key == this->Key)
+  {
+    return;
+  }
+  this->Nodes.Build(std::move(leaves), key.Radius, key.RadiusArray);
+  this->Key = std::move(key);
+  this->AppearanceTime = 0;
+  this->Cones->SetNodes(&this->Nodes);
+  if (this->Nodes.GetNumberOfInvalidPoints() > 0)
+  {
+    vtkWarningWithObjectMacro(this->Owner,
+      << this->Nodes.GetNumberOfInvalidPoints()
+      << " points of lines and vertices have a coordinate or radius that is not finite: they are "
+         "left out, and lines are split there.");
+  }
+
+  this->Polygons.clear();
+  for (std::size_t i = 0; i < this->Nodes.GetLeaves().size(); ++i)
+  {
+    vtkPolyData* data = this->Nodes.GetLeaves()[i].Data;
+    if (data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0)
+    {
+      this->Polygons.push_back(std::make_unique<PolygonPart>());
+      this->Polygons.back()->Leaf = i;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTrajectoryMapper::Parts::GetAppearanceTime(vtkActor* actor) const
+{
+  const vtkMTimeType time = this->Owner->GetMTime();
+  return this->UsesPropertyColor ? std::max(time, actor->GetProperty()->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::UpdateAppearance(vtkActor* actor)
+{
+  if (this->AppearanceTime == this->GetAppearanceTime(actor))
+  {
+    return;
+  }
+  this->Cones->SetClippingPlanes(this->Owner->GetClippingPlanes());
+
+  vtkTrajectoryColors colors;
+  colors.Map(this->Owner, this->Nodes, GetPlainColor(actor->GetProperty()));
+  this->UsesPropertyColor = colors.UsesPlain;
+  if (!colors.Coordinates.empty())
+  {
+    this->Cones->SetTextureColors(std::move(colors.Coordinates), colors.ColorMap);
+  }
+  else if (!colors.Direct.empty())
+  {
+    this->Cones->SetDirectColors(std::move(colors.Direct));
+  }
+  else
+  {
+    this->Cones->SetPropertyColors();
+  }
+
+  for (const auto& part : this->Polygons)
+  {
+    // A shallow copy takes the owner's input too: the part's own comes after it.
+    part->Mapper->ShallowCopy(this->Owner);
+    part->Mapper->SetInputData(this->Nodes.GetLeaves()[part->Leaf].Data);
+    part->Mapper->SetPopulateSelectionSettings(0);
+  }
+  // Last: mapping may have made or changed the lookup table, which counts as a change of the owner.
+  this->AppearanceTime = this->GetAppearanceTime(actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::RenderPart(
+  vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector && selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+  {
+    selector->RenderCompositeIndex(index);
+  }
+  part->RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->UpdateNodes();
+  this->UpdateAppearance(actor);
+
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+    // Both the ids of the input and the nodes that stand for them have to fit.
+    selector->UpdateMaximumPointId(this->Nodes.GetNumberOfNodes());
+    selector->UpdateMaximumCellId(this->Nodes.GetNumberOfNodes());
+    for (const auto& leaf : this->Nodes.GetLeaves())
+    {
+      selector->UpdateMaximumPointId(leaf.Data->GetNumberOfPoints());
+      selector->UpdateMaximumCellId(leaf.Data->GetNumberOfCells());
+    }
+  }
+  if (this->Nodes.GetNumberOfNodes() > 0)
+  {
+    this->RenderPart(this->Cones, ConePart, renderer, actor);
+  }
+  for (std::size_t i = 0; i < this->Polygons.size(); ++i)
+  {
+    this->RenderPart(
+      this->Polygons[i]->Mapper, FirstPolygonPart + static_cast<unsigned int>(i), renderer, actor);
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Cones->ReleaseGraphicsResources(window);
+  for (const auto& part : this->Polygons)
+  {
+    part->Mapper->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectoryMapper::Parts::HasTranslucentColors()
+{
+  vtkTrajectoryMapper* owner = this->Owner;
+  if (!owner->GetScalarVisibility())
+  {
+    return false;
+  }
+  for (const auto& leaf : this->FindLeaves())
+  {
+    int cellFlag = 0;
+    vtkAbstractArray* scalars =
+      vtkAbstractMapper::GetAbstractScalars(leaf.Data, owner->GetScalarMode(),
+        owner->GetArrayAccessMode(), owner->GetArrayId(), owner->GetArrayName(), cellFlag);
+    if (!scalars)
+    {
+      continue;
+    }
+    unsigned char ghostsToSkip = 0;
+    vtkUnsignedCharArray* ghosts =
+      vtkAbstractMapper::GetGhostArray(leaf.Data, owner->GetScalarMode(), ghostsToSkip);
+    vtkScalarsToColors* table = owner->GetLookupTable();
+    table->Build();
+    if (!table->IsOpaque(
+          scalars, owner->GetColorMode(), owner->GetArrayComponent(), ghosts, ghostsToSkip))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox vtkTrajectoryMapper::Parts::GetBounds()
+{
+  this->UpdateNodes();
+  vtkBoundingBox bounds = this->Nodes.GetBounds();
+  for (const auto& part : this->Polygons)
+  {
+    double cells[6];
+    this->Nodes.GetLeaves()[part->Leaf].Data->GetCellsBounds(cells);
+    bounds.AddBounds(cells);
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::Select(
+  vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop)
+{
+  const unsigned char* parts =
+    selector->GetRawPixelBuffer(vtkHardwareSelector::COMPOSITE_INDEX_PASS);
+  if (!parts)
+  {
+    return;
+  }
+  std::vector<unsigned int> conePixels;
+  std::vector<std::vector<unsigned int>> polygonPixels(this->Polygons.size());
+  for (const unsigned int pixel : pixels)
+  {
+    const unsigned int part = DecodePixel(parts, nullptr, pixel);
+    if (part == ConePart)
+    {
+      conePixels.push_back(pixel);
+    }
+    else if (part - FirstPolygonPart < this->Polygons.size())
+    {
+      polygonPixels[part - FirstPolygonPart].push_back(pixel);
+    }
+  }
+  this->SelectCones(selector, conePixels);
+
+  unsigned char* composite = selector->GetPixelBuffer(vtkHardwareSelector::COMPOSITE_INDEX_PASS);
+  for (std::size_t i = 0; i < this->Polygons.size(); ++i)
+  {
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      for (const unsigned int pixel : polygonPixels[i])
+      {
+        EncodePixel(composite, pixel, this->Nodes.GetLeaves()[this->Polygons[i]->Leaf].FlatIndex);
+      }
+      continue;
+    }
+    vtkPolygonPartMapper* mapper = this->Polygons[i]->Mapper;
+    mapper->SetPopulateSelectionSettings(1);
+    mapper->ProcessSelectorPixelBuffers(selector, polygonPixels[i], prop);
+    mapper->SetPopulateSelectionSettings(0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::SelectCones(
+  vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels) const
+{
+  const int pass = selector->GetCurrentPass();
+  const bool points =
+    pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  const bool high =
+    pass == vtkHardwareSelector::POINT_ID_HIGH24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool cells =
+    pass == vtkHardwareSelector::CELL_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool composite = pass == vtkHardwareSelector::COMPOSITE_INDEX_PASS;
+  const unsigned char* rawLow = selector->GetRawPixelBuffer(
+    points ? vtkHardwareSelector::POINT_ID_LOW24 : vtkHardwareSelector::CELL_ID_LOW24);
+  const unsigned char* rawHigh = selector->GetRawPixelBuffer(
+    points ? vtkHardwareSelector::POINT_ID_HIGH24 : vtkHardwareSelector::CELL_ID_HIGH24);
+  unsigned char* buffer = selector->GetPixelBuffer(pass);
+  // The selector renders the composite pass again once it has the ids that decide it.
+  if (!(points || cells || composite) || !rawLow || !buffer)
+  {
+    return;
+  }
+  for (const unsigned int pixel : pixels)
+  {
+    const vtkIdType node = DecodePixel(rawLow, rawHigh, pixel);
+    if (node >= this->Nodes.GetNumberOfNodes())
+    {
+      continue;
+    }
+    const vtkTrajectoryNodes::Run& run = this->Nodes.GetRun(node);
+    const vtkIdType id = points ? this->Nodes.GetPointIds()[node]
+      : cells                   ? run.Cell
+                                : this->Nodes.GetLeaves()[run.Leaf].FlatIndex;
+    EncodePixel(buffer, pixel, high ? id >> 24 : id);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTrajectoryMapper::vtkTrajectoryMapper()
+  : Drawing(std::make_unique<Parts>(this))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTrajectoryMapper::~vtkTrajectoryMapper()
+{
+  this->SetRadiusArray(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkTrajectoryMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+double vtkTrajectoryMapper::GetEffectiveRadius()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  this->Drawing->UpdateNodes();
+  return this->Drawing->Nodes.GetRadius();
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::ComputeBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  const vtkBoundingBox bounds = this->Drawing->GetBounds();
+  if (bounds.IsValid())
+  {
+    bounds.GetBounds(this->Bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  this->Drawing->Render(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Drawing->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectoryMapper::HasTranslucentPolygonalGeometry()
+{
+  return this->Drawing->HasTranslucentColors();
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop)
+{
+  this->Drawing->Select(selector, pixels, prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (vtkTrajectoryMapper* other = vtkTrajectoryMapper::SafeDownCast(mapper))
+  {
+    this->SetRadius(other->GetRadius());
+    this->SetRadiusArray(other->GetRadiusArray());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

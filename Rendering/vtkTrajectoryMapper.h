@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTrajectoryMapper
+ * @brief   Draw lines as tubes and vertices as balls, without making their geometry.
+ *
+ * Input is vtkPolyData or composite data of it. Each segment of a line is a rounded cone: all balls
+ * whose centre and radius lie linearly between those of its ends. It is drawn as one view-aligned
+ * quad on which each pixel intersects the view ray with the cone (M. Gross and S. Gumhold, Advanced
+ * Rendering of Line Data with Ambient Occlusion and Transparency, 2021, section 5). At the joints
+ * of a line the segments are cut by planes (eq. 11 there), so that a ray that passes once through a
+ * tube makes one fragment; line ends keep their round caps. Where the near plane or a clipping
+ * plane opens a tube its inner wall shows. Vertices, and lines of one point, are balls; polygons
+ * and strips look as vtkPolyDataMapper draws them.
+ *
+ * Colours, materials, lights, render passes, clipping planes, picking and hardware selection are
+ * those of vtkPolyDataMapper; a selection by points returns the nearer end of the segment hit.
+ * Colours, or the scalars where InterpolateScalarsBeforeMapping is on, change linearly from ball to
+ * ball.
+ *
+ * Radii are in world units whatever the scale of the actor, so that a stretched axis does not
+ * flatten tubes. Bounds include the radius for an actor that is not scaled.
+ *
+ * Consecutive coincident points of a line count once. Points with a coordinate or a radius that is
+ * not finite are left out and split their line, with one warning; negative radii count as 0, and a
+ * segment with radius 0 at both ends is not drawn. In composite data, leaves that lack the array to
+ * colour by take the colour of the actor's property.
+ *
+ * Cost: 16 bytes of graphics memory for a point and 4 for its colour. Work on the CPU happens when
+ * the data, radii or colours change, and for each frame only while the eye is among the
+ * trajectories.
+ *
+ * @sa vtkExactTransparencyPass vtkTubeFilter vtkPolyDataMapper
+ */
+
+#ifndef vtkTrajectoryMapper_h
+#define vtkTrajectoryMapper_h
+
+#include "vtkPellucidRenderingModule.h" // for the export macro
+#include "vtkPolyDataMapper.h"
+
+#include <memory> // for the implementation
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKPELLUCIDRENDERING_EXPORT vtkTrajectoryMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkTrajectoryMapper* New();
+  vtkTypeMacro(vtkTrajectoryMapper, vtkPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Radius of tubes and balls in world units, at least 0. Default 0: it follows from the diagonal
+   * of the bounds, the number of lines and their total length, between 1/2500 of the diagonal for
+   * very many lines and 1/200 for few.
+   */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array with one component that holds radii in world units. Data that lacks it
+   * uses the constant radius. Default: none.
+   */
+  vtkSetStringMacro(RadiusArray);
+  vtkGetStringMacro(RadiusArray);
+  ///@}
+
+  /** The constant radius in use: Radius, or the automatic one. Updates the input. */
+  double GetEffectiveRadius();
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool HasTranslucentPolygonalGeometry() override;
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /** For vtkHardwareSelector: ids that pixels hold become those of the input. */
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
+  bool GetSupportsSelection() override { return true; }
+
+protected:
+  vtkTrajectoryMapper();
+  ~vtkTrajectoryMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ComputeBounds() override;
+
+private:
+  vtkTrajectoryMapper(const vtkTrajectoryMapper&) = delete;
+  void operator=(const vtkTrajectoryMapper&) = delete;
+
+  double Radius = 0.0;
+  char* RadiusArray = nullptr;
+
+  class Parts;
+  std::unique_ptr<Parts> Drawing;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
