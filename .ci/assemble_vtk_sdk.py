@@ -106,9 +106,29 @@ def retarget():
     edit(VTK_DIR / "VTK-targets.cmake", r";-framework Cocoa", "")
 
 
+# Names of Python 2 that the older wrapping tools still write.
+OLD_PYTHON_NAMES = """
+#ifndef PyInt_Type
+#define PyIntObject PyLongObject
+#define PyInt_Type PyLong_Type
+#define PyInt_Check PyLong_Check
+#define PyInt_FromLong PyLong_FromLong
+#define PyInt_AsLong PyLong_AsLong
+#define PyString_AsString PyUnicode_AsUTF8
+#define PyString_InternFromString PyUnicode_InternFromString
+#define PyString_FromFormat PyUnicode_FromFormat
+#define PyString_Check PyUnicode_Check
+#define PyString_FromString PyUnicode_FromString
+#define PyString_FromStringAndSize PyUnicode_FromStringAndSize
+#endif
+"""
+
+
 def adapt_headers():
-    """Window system of Linux; drop the hints that the older wrapping tools do not know."""
+    """Window system of Linux; what the older wrapping tools do not know yet, or still ask for."""
     headers = SDK / DATA / "vtk-9.5"
+    with open(headers / "vtkPythonCompatibility.h", "a") as compatibility:
+        compatibility.write(OLD_PYTHON_NAMES)
     edit(headers / "vtkRenderingOpenGLConfigure.h", "#define VTK_USE_COCOA", "#define VTK_USE_X")
     edit(headers / "vtkWrappingHints.h",
          r"(#define VTK_(?:MARSHAL\w+(?:\(\w+\))?|UNBLOCKTHREADS|PROPEXCLUDE)) \[\[.*", r"\1")

@@ -138,3 +138,30 @@ function (pellucid_add_python_tests interpreter)
       ENVIRONMENT "PYTHONPATH=${package}:${shared}" ${python_ENVIRONMENT})
   endforeach ()
 endfunction ()
+
+#[[
+pellucid_add_project_test(NAME <name> SOURCE <folder> OPTIONS <-DVAR=value>...
+                          [PROGRAM <name>] [REQUIRES <fixture>])
+
+Add the test, labelled package, that the CMake project of a folder configures and builds with these
+options, and that the program that it builds, if any, returns 0.
+]]
+function (pellucid_add_project_test)
+  cmake_parse_arguments(PARSE_ARGV 0 project "" "NAME;SOURCE;PROGRAM;REQUIRES" "OPTIONS")
+  set(folder "${CMAKE_BINARY_DIR}/Testing/${project_NAME}")
+  set(run "")
+  if (project_PROGRAM)
+    set(run --test-command "${PROJECT_SOURCE_DIR}/Testing/with-display"
+      "${folder}/${project_PROGRAM}")
+  endif ()
+  list(GET PELLUCID_TEST_WINDOWS 0 window)
+  add_test(NAME "${project_NAME}"
+    COMMAND "${CMAKE_CTEST_COMMAND}" --build-and-test "${project_SOURCE}" "${folder}"
+      --build-generator "${CMAKE_GENERATOR}" --build-options ${project_OPTIONS} ${run})
+  set_tests_properties("${project_NAME}" PROPERTIES
+    LABELS package
+    TIMEOUT 900
+    ENVIRONMENT "VTK_DEFAULT_OPENGL_WINDOW=${window}"
+    FIXTURES_REQUIRED "${project_REQUIRES}"
+    FAIL_REGULAR_EXPRESSION "CMake Error;warning: unused")
+endfunction ()

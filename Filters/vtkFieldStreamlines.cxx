@@ -183,6 +183,7 @@ int vtkFieldStreamlines::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
   vtkFieldVectors field(input, this->GetInputArrayInformation(0));
+  this->VectorsName = field.GetName();
   if (field.GetName().empty())
   {
     const char* wanted = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
@@ -250,7 +251,7 @@ void vtkFieldStreamlines::Trace(vtkFieldVectors& field, vtkPoints* seeds, vtkPol
   tracer->SetInterpolatorTypeToCellLocator();
   tracer->SetSurfaceStreamlines(field.GetDimension() == 2);
   tracer->SetComputeVorticity(false);
-  tracer->SetMaximumPropagation(this->MaximumLength > 0.0 ? this->MaximumLength : diagonal);
+  tracer->SetMaximumPropagation(this->MaximumLength > 0.0 ? this->MaximumLength : 0.5 * diagonal);
   tracer->SetMaximumNumberOfSteps(this->MaximumNumberOfSteps);
   tracer->SetTerminalSpeed(this->TerminalSpeedFraction * field.GetMaximumMagnitude());
 
@@ -300,6 +301,7 @@ void vtkFieldStreamlines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLength: " << this->MaximumLength << "\n";
   os << indent << "MaximumNumberOfSteps: " << this->MaximumNumberOfSteps << "\n";
   os << indent << "TerminalSpeedFraction: " << this->TerminalSpeedFraction << "\n";
+  os << indent << "VectorsName: " << this->VectorsName << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

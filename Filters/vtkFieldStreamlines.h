@@ -42,6 +42,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the seeds
 
+#include <string> // for the array's name
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldVectors;
 class vtkPoints;
@@ -116,7 +118,7 @@ public:
   ///@{
   /**
    * Length in world units after which a line ends, in each direction from its seed; 0 (the default)
-   * is the diagonal of the bounding box.
+   * is half the diagonal of the bounding box.
    */
   vtkSetClampMacro(MaximumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumLength, double);
@@ -138,6 +140,9 @@ public:
   vtkSetClampMacro(TerminalSpeedFraction, double, 0.0, 1.0);
   vtkGetMacro(TerminalSpeedFraction, double);
   ///@}
+
+  /** Name of the array that the last update traced; empty when there was none. */
+  std::string GetVectorsName() { return this->VectorsName; }
 
 protected:
   vtkFieldStreamlines();
@@ -162,6 +167,7 @@ private:
   double MaximumLength = 0.0;
   vtkIdType MaximumNumberOfSteps = 2000;
   double TerminalSpeedFraction = 1e-6;
+  std::string VectorsName;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 #ifndef OpenGLDebugOutput_h
 #define OpenGLDebugOutput_h
 
+#include "vtkObject.h"      // for vtkOpenGLError.h
 #include "vtkOpenGLError.h" // for the OpenGL functions
 #include "vtkOpenGLRenderWindow.h"
 

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Coloring.h"
+
+#include "RenderError.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace pellucid
+{
+namespace
+{
+constexpr int TableSize = 256;
+constexpr double OutlierShare = 0.01;     // of the values, at either end of the range
+constexpr vtkIdType SampleSize = 1000000; // values of an array that are looked at, about
+
+// Cool to warm: K. Moreland, Diverging Color Maps for Scientific Visualization (2009). Both ends
+// stay visible on dark and on light backgrounds.
+constexpr double Cool[3] = { 0.230, 0.299, 0.754 };
+constexpr double Warm[3] = { 0.706, 0.016, 0.150 };
+
+//------------------------------------------------------------------------------
+// Call visit(array, association) for every array of numbers that has a name.
+template <typename Visitor>
+void VisitArrays(const Drawable& drawable, const Visitor& visit)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    for (vtkPolyData* leaf : drawable.GetLeaves())
+    {
+      vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* array = attributes->GetArray(i);
+        if (array && array->GetName())
+        {
+          visit(array, association);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// vtkDataObject::POINT or CELL, the points before the cells; nothing where there is no such array.
+std::optional<int> FindAssociation(const Drawable& drawable, const std::string& name)
+{
+  std::optional<int> found;
+  VisitArrays(drawable,
+    [&](vtkDataArray* array, int association)
+    { found = !found && name == array->GetName() ? association : found; });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// The active scalars, or the first array other than normals; empty if there is none.
+std::string ChooseName(const Drawable& drawable)
+{
+  if (!drawable.Speed.empty())
+  {
+    return drawable.Speed;
+  }
+  std::string first;
+  std::string active;
+  VisitArrays(drawable,
+    [&](vtkDataArray* array, int association)
+    {
+      for (vtkPolyData* leaf : drawable.GetLeaves())
+      {
+        vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
+        active = active.empty() && array == attributes->GetScalars() ? array->GetName() : active;
+        first = first.empty() && array != attributes->GetNormals() ? array->GetName() : first;
+      }
+    });
+  return active.empty() ? first : active;
+}
+
+//------------------------------------------------------------------------------
+std::string ListArrays(const std::vector<Drawable>& drawables)
+{
+  std::set<std::string> arrays;
+  for (const Drawable& drawable : drawables)
+  {
+    VisitArrays(drawable,
+      [&arrays](vtkDataArray* array, int association)
+      {
+        arrays.insert(array->GetName() +
+          std::string(association == vtkDataObject::POINT ? " (points)" : " (cells)"));
+      });
+  }
+  std::string list;
+  for (const std::string& array : arrays)
+  {
+    list += (list.empty() ? "" : ", ") + array;
+  }
+  return list.empty() ? "none" : list;
+}
+
+//------------------------------------------------------------------------------
+// Append finite values of the array, lengths in case of vectors; of a large array, some.
+void Sample(vtkDataArray* array, std::vector<double>& values)
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> tuple(components);
+  const vtkIdType step = std::max<vtkIdType>(1, array->GetNumberOfTuples() / SampleSize);
+  for (vtkIdType id = 0; id < array->GetNumberOfTuples(); id += step)
+  {
+    array->GetTuple(id, tuple.data());
+    const double value = components == 1 ? tuple.front() : vtkMath::Norm(tuple.data(), components);
+    if (std::isfinite(value))
+    {
+      values.push_back(value);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The value below which that share of the values lies; 0 of no values.
+double GetQuantile(std::vector<double>& values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto position =
+    values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), position, values.end());
+  return *position;
+}
+
+//------------------------------------------------------------------------------
+// Colours from the smallest to the largest of the values, less a few of either end that would
+// otherwise take most of the colours.
+vtkSmartPointer<vtkLookupTable> MakeTable(std::vector<double>& values)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToDiverging();
+  function->AddRGBPoint(0.0, Cool[0], Cool[1], Cool[2]);
+  function->AddRGBPoint(1.0, Warm[0], Warm[1], Warm[2]);
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(TableSize);
+  for (int i = 0; i < TableSize; ++i)
+  {
+    double color[3];
+    function->GetColor(static_cast<double>(i) / (TableSize - 1), color);
+    table->SetTableValue(i, color[0], color[1], color[2]);
+  }
+  table->SetTableRange(GetQuantile(values, OutlierShare), GetQuantile(values, 1.0 - OutlierShare));
+  table->SetVectorModeToMagnitude();
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& name)
+  : Name(name)
+{
+  for (auto drawable = drawables.begin(); this->Name.empty() && drawable != drawables.end();
+       ++drawable)
+  {
+    this->Name = ChooseName(*drawable);
+  }
+
+  std::vector<double> values;
+  for (const Drawable& drawable : drawables)
+  {
+    VisitArrays(drawable,
+      [&](vtkDataArray* array, int)
+      {
+        if (this->Name == array->GetName())
+        {
+          Sample(array, values);
+        }
+      });
+  }
+  if (!name.empty() && values.empty())
+  {
+    throw RenderError("--color-by: there is no array '" + name + "' with numbers; there are " +
+      ListArrays(drawables));
+  }
+  this->Table = MakeTable(values);
+}
+
+//------------------------------------------------------------------------------
+void Coloring::Apply(vtkMapper* mapper, const Drawable& drawable) const
+{
+  const auto association = FindAssociation(drawable, this->Name);
+  if (!association)
+  {
+    mapper->ScalarVisibilityOff();
+    return;
+  }
+  mapper->SetScalarMode(*association == vtkDataObject::POINT ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+                                                             : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  mapper->SelectColorArray(this->Name.c_str());
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(this->Table);
+  mapper->UseLookupTableScalarRangeOn();
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   Which array colours the scene, and by which colours.
+ */
+
+#ifndef Coloring_h
+#define Coloring_h
+
+#include "Drawables.h"
+
+#include "vtkLookupTable.h"
+#include "vtkSmartPointer.h"
+
+class vtkMapper;
+
+namespace pellucid
+{
+/** One array name and one range for the whole scene, so that colours compare across inputs. */
+class Coloring
+{
+public:
+  /**
+   * Choose the array: `name`, or if empty the speed of traced lines, or else the active or the
+   * first array. Throw RenderError, naming the arrays that exist, when no drawable has `name`.
+   */
+  Coloring(const std::vector<Drawable>& drawables, const std::string& name);
+
+  /** Make the mapper of a drawable colour by the array; one colour where it lacks the array. */
+  void Apply(vtkMapper* mapper, const Drawable& drawable) const;
+
+private:
+  std::string Name; // empty: nothing to colour by
+  vtkSmartPointer<vtkLookupTable> Table;
+};
+}
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   From inputs to what is drawn: streamlines in place of fields.
+ */
+
+#ifndef Drawables_h
+#define Drawables_h
+
+#include "InputReader.h"
+
+#include "vtkPolyData.h"
+
+#include <string> // for names
+#include <vector> // for lists
+
+namespace pellucid
+{
+struct RenderOptions;
+
+struct Drawable
+{
+  std::string Name;                    // of the input
+  vtkSmartPointer<vtkDataObject> Data; // vtkPolyData or composite data of it
+  std::string Speed;                   // name of the traced vectors; empty: nothing was traced
+
+  /** The parts that hold points. */
+  std::vector<vtkPolyData*> GetLeaves() const;
+};
+
+/** At least one drawable for each input. Throw RenderError for data that cannot be drawn. */
+std::vector<Drawable> MakeDrawables(const std::vector<Input>& inputs, const RenderOptions& options);
+}
+
+#endif

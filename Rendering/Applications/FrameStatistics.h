@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   Counts, memory and times of a frame, and their file.
+ */
+
+#ifndef FrameStatistics_h
+#define FrameStatistics_h
+
+#include <string>  // for names
+#include <utility> // for stages
+#include <vector>  // for stages
+
+class vtkTransparencyStatistics;
+
+namespace pellucid
+{
+struct FrameStatistics
+{
+  long long InputPoints = 0; // of what is drawn: after tracing
+  long long InputLines = 0;
+  long long Fragments = 0; // 0 where the method does not count them
+  long long LongestList = 0;
+  long long BufferBytes = 0;
+  int Tiles = 0;
+  std::vector<std::pair<std::string, double>> Stages; // milliseconds
+  std::string Renderer;                               // of OpenGL, or the reference renderer
+  std::string OpenGL;                                 // version; empty without OpenGL
+
+  /** Take over what the exact pass did. */
+  void Take(vtkTransparencyStatistics* statistics);
+};
+
+/** Write JSON with the keys that README lists; throw RenderError when that fails. */
+void WriteStatistics(const FrameStatistics& statistics, const std::string& fileName);
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   VTK's messages, kept for ours instead of printed.
+ */
+
+#ifndef MessageLog_h
+#define MessageLog_h
+
+#include <string> // for messages
+#include <vector> // for the log
+
+namespace pellucid
+{
+/**
+ * Takes all errors and warnings of VTK from the first call of GetInstance() on; nothing reaches the
+ * terminal by itself.
+ */
+class MessageLog
+{
+public:
+  static MessageLog& GetInstance();
+
+  void Clear();
+  bool HasErrors() const { return !this->Errors.empty(); }
+  bool HasWarnings() const { return !this->Warnings.empty(); }
+
+  /** Text of the first error on one short line, without the place in VTK's sources; or empty. */
+  std::string GetFirstError() const;
+
+  /** The same of the first warning. */
+  std::string GetFirstWarning() const;
+
+  /**
+   * Throw RenderError at every error while this is on. For the making of a window only: VTK
+   * ends the process right after some errors there, such as a missing X server.
+   */
+  void SetThrowing(bool throwing) { this->Throwing = throwing; }
+
+  void AddError(const std::string& text);
+  void AddWarning(const std::string& text);
+
+private:
+  MessageLog() = default;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+  bool Throwing = false;
+};
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   An OpenGL window that nobody sees.
+ */
+
+#ifndef PictureWindow_h
+#define PictureWindow_h
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <array>  // for the size
+#include <string> // for OpenGL's names
+
+class vtkRenderer;
+
+namespace pellucid
+{
+class PictureWindow
+{
+public:
+  /** Open the window; throw RenderError without a display or OpenGL, or beyond OpenGL's limits. */
+  explicit PictureWindow(const std::array<int, 2>& size);
+
+  /** Throw RenderError, saying what was found and is needed, if the exact pass cannot run. */
+  void CheckExactTransparency();
+
+  /** Draw a frame; throw RenderError when OpenGL reports an error. Milliseconds that it took. */
+  double Render();
+
+  void AddRenderer(vtkRenderer* renderer) { this->Window->AddRenderer(renderer); }
+
+  /** The last frame, in 3 components of unsigned char, or 4 with alpha. */
+  vtkSmartPointer<vtkImageData> Grab(bool withAlpha);
+
+  /** "OpenGL renderer string", "OpenGL version string", as the driver says them. */
+  std::string GetProperty(const std::string& name);
+
+private:
+  vtkNew<vtkRenderWindow> Window;
+};
+}
+
+#endif

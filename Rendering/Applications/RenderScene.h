@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   The scene of a picture: actors, background and camera in a renderer.
+ */
+
+#ifndef RenderScene_h
+#define RenderScene_h
+
+#include "Coloring.h"
+#include "Drawables.h"
+#include "RenderOptions.h"
+
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+namespace pellucid
+{
+/** What is drawn, without how. */
+struct Scene
+{
+  std::vector<Drawable> Drawables;
+  Coloring Colors;
+
+  vtkIdType GetNumberOfPoints() const;
+  vtkIdType GetNumberOfLines() const;
+};
+
+/**
+ * A renderer of the scene for a picture of width / height = `aspect`. With Method::Pellucid lines
+ * and points are drawn by vtkTrajectoryMapper; otherwise lines are tubes of eight sides and of
+ * the same radius.
+ */
+vtkSmartPointer<vtkRenderer> MakeRenderer(
+  const Scene& scene, const RenderOptions& options, Method method, double aspect);
+}
+
+#endif

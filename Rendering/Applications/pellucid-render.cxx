@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   Draws files into a picture with exact transparency; see pellucid-render --help.
+ *
+ * Exit codes: 0 the picture is written, 1 it could not be made, 2 wrong usage. Errors are one line
+ * on the standard error stream.
+ */
+
+#include "MessageLog.h"
+#include "PictureFile.h"
+#include "PictureMaking.h"
+#include "RenderError.h"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace
+{
+//------------------------------------------------------------------------------
+void Run(const pellucid::RenderOptions& options)
+{
+  using namespace pellucid;
+  CheckWritable(options.Output);
+  if (!options.StatisticsFile.empty())
+  {
+    CheckWritable(options.StatisticsFile);
+  }
+  auto drawables = MakeDrawables(ReadInputs(options.Inputs), options);
+  const Coloring colors(drawables, options.ColorBy);
+  const Scene scene{ std::move(drawables), colors };
+  const Frame frame = MakePicture(scene, options);
+  WritePicture(frame.Picture, options.Output);
+  if (!options.StatisticsFile.empty())
+  {
+    WriteStatistics(frame.Statistics, options.StatisticsFile);
+  }
+}
+
+//------------------------------------------------------------------------------
+int Fail(const std::string& message)
+{
+  std::cerr << "pellucid-render: " << message << "\n";
+  return 1;
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  pellucid::MessageLog::GetInstance();
+  std::optional<int> exitCode;
+  const auto options = pellucid::ParseCommandLine(argc, argv, exitCode);
+  if (exitCode)
+  {
+    return *exitCode;
+  }
+  try
+  {
+    Run(options);
+    return 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail("out of memory; the input may be damaged, or too large for this machine");
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(error.what());
+  }
+}
