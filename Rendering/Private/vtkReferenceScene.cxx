@@ -24,10 +24,8 @@
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper2.h"
-using vtkBlockMapper = vtkCompositePolyDataMapper2;
 #else
 #include "vtkCompositePolyDataMapper.h"
-using vtkBlockMapper = vtkCompositePolyDataMapper;
 #endif
 
 #include <glm/gtc/type_ptr.hpp>
@@ -62,6 +60,24 @@ pellucid::Material<double> ToMaterial(vtkProperty* property)
   return material;
 }
 
+// What came with VTK 9.3.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+using BlockMapper = vtkCompositePolyDataMapper2;
+
+bool HasVerticalGradient(vtkRenderer*)
+{
+  return true;
+}
+#else
+using BlockMapper = vtkCompositePolyDataMapper;
+
+bool HasVerticalGradient(vtkRenderer* renderer)
+{
+  return !renderer->GetGradientBackground() ||
+    renderer->GetGradientMode() == vtkViewport::GradientModes::VTK_GRADIENT_VERTICAL;
+}
+#endif
+
 /** Whether single blocks of a composite input look different from the rest. */
 bool HasBlockAttributes(vtkCompositeDataDisplayAttributes* attributes)
 {
@@ -83,6 +99,8 @@ vtkReferenceScene::vtkReferenceScene(vtkRenderer* renderer, int width, int heigh
 {
   this->TakeCamera(renderer, width, height);
   this->TakeLights(renderer);
+  this->Omit("background texture", renderer->GetTexturedBackground());
+  this->Omit("background gradient that is not vertical", !HasVerticalGradient(renderer));
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -265,16 +283,11 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
   }
   else if (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper"))
   {
-    auto* blocks = vtkBlockMapper::SafeDownCast(mapper);
+    auto* blocks = BlockMapper::SafeDownCast(mapper);
     this->Omit("block attributes",
       blocks && HasBlockAttributes(blocks->GetCompositeDataDisplayAttributes()));
     vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
-      [&target, &rejects](vtkPolyData* data)
-      {
-        const auto more = vtkAddReferencePolygons(target, data);
-        rejects.invalid += more.invalid;
-        rejects.pixels += more.pixels;
-      });
+      [&target, &rejects](vtkPolyData* data) { rejects += vtkAddReferencePolygons(target, data); });
   }
   else
   {
