@@ -20,6 +20,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTrajectoryMapper.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
@@ -280,6 +281,15 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
   {
     this->Omit("block attributes", HasBlockAttributes(glyphs->GetBlockAttributes()));
     rejects = vtkAddReferenceGlyphs(target, glyphs);
+  }
+  else if (auto* trajectories = vtkTrajectoryMapper::SafeDownCast(mapper))
+  {
+    const double radius = trajectories->GetEffectiveRadius();
+    vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
+      [&](vtkPolyData* data) {
+        rejects +=
+          vtkAddReferenceTrajectories(target, data, radius, trajectories->GetRadiusArray());
+      });
   }
   else if (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper"))
   {
