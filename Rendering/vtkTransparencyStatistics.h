@@ -5,7 +5,8 @@
  * @brief   What a vtkExactTransparencyPass did in its last frame.
  *
  * A value object: the pass fills it at the end of every frame, everyone else reads it. All counts
- * belong to the last frame; a frame without translucent geometry leaves them at 0 and runs no stage.
+ * belong to the last frame; a frame without translucent geometry leaves them at 0 and runs no
+ * stage.
  *
  * @sa vtkExactTransparencyPass
  */

@@ -87,11 +87,6 @@ std::vector<Drawable> MakeDrawables(const std::vector<Input>& inputs, const Rend
     {
       (vtkPolyData::SafeDownCast(leaf) ? geometry : fields).push_back(leaf);
     }
-    if (geometry.empty() && fields.empty())
-    {
-      throw RenderError(input.Name + ": holds a " + input.Data->GetClassName() +
-        ", expected lines, points, surfaces or a field");
-    }
     if (!geometry.empty())
     {
       drawables.push_back({ input.Name, Join(geometry), std::string() });

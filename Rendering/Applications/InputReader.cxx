@@ -3,9 +3,11 @@
 
 #include "InputReader.h"
 
+#include "InputChecks.h"
 #include "MessageLog.h"
 #include "Plot3DFiles.h"
 #include "ProgressLine.h"
+#include "ReaderGuard.h"
 #include "RenderError.h"
 
 #include "vtkAlgorithm.h"
@@ -18,8 +20,6 @@
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtksys/SystemTools.hxx"
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 namespace pellucid
@@ -57,43 +57,28 @@ std::string GetSuffix(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-void CheckReadable(const std::string& fileName)
-{
-  if (!std::filesystem::exists(fileName))
-  {
-    throw RenderError(fileName + ": there is no such file");
-  }
-  if (std::filesystem::is_directory(fileName))
-  {
-    throw RenderError(fileName + ": is a folder, not a file");
-  }
-  std::ifstream file(fileName, std::ios::binary);
-  if (!file)
-  {
-    throw RenderError(fileName + ": cannot be opened; may you read it?");
-  }
-  if (file.peek() == std::ifstream::traits_type::eof())
-  {
-    throw RenderError(fileName + ": the file is empty");
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string& fileName)
 {
+  const std::string failure =
+    fileName + ": cannot be read, the file is empty, damaged or of another kind";
   MessageLog& log = MessageLog::GetInstance();
   log.Clear();
-  const ProgressLine progress(reader, "Reading " + fileName);
-  reader->Update();
-  if (log.HasErrors())
   {
-    throw RenderError(fileName + ": cannot be read, the file is damaged or of another kind (" +
-      log.GetFirstError() + ")");
+    const ReaderGuard guard(failure);
+    const ProgressLine progress(reader, "Reading " + fileName);
+    reader->Update();
+  }
+  // The legacy reader only warns where a file ends too early.
+  const bool isLegacy = vtkGenericDataObjectReader::SafeDownCast(reader) != nullptr;
+  if (log.HasErrors() || (isLegacy && log.HasWarnings()))
+  {
+    const std::string reason = log.HasErrors() ? log.GetFirstError() : log.GetFirstWarning();
+    throw RenderError(failure + (reason.empty() ? "" : " (" + reason + ")"));
   }
   vtkDataObject* data = reader->GetOutputDataObject(0);
   if (!data)
   {
-    throw RenderError(fileName + ": cannot be read, the file holds no data of a known kind");
+    throw RenderError(failure);
   }
   return data;
 }
@@ -108,6 +93,10 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& fileName)
       ": is of no known kind; known are .vtk .vtp .vtm .vtu .vts .vti .vtr .ply .stl .obj and "
       "PLOT3D's " +
       ListPlot3DSuffixes());
+  }
+  if (maker->first == ".stl")
+  {
+    CheckStlLength(fileName);
   }
   return RunReader(maker->second(fileName), fileName);
 }
@@ -124,15 +113,6 @@ vtkSmartPointer<vtkDataObject> ReadPlot3D(const Plot3DFiles& files)
   reader->AddFunction(velocity);
   reader->SetVectorFunctionNumber(velocity);
   return RunReader(reader, files.Grid + " with " + files.Solution);
-}
-
-//------------------------------------------------------------------------------
-void CheckNotEmpty(const Input& input)
-{
-  if (input.Data->GetNumberOfElements(vtkDataObject::POINT) == 0)
-  {
-    throw RenderError(input.Name + ": is empty, it holds no points");
-  }
 }
 }
 
@@ -157,7 +137,7 @@ std::vector<Input> ReadInputs(const std::vector<std::string>& fileNames)
       remaining.erase(remaining.begin());
       inputs.push_back({ fileName, ReadFile(fileName) });
     }
-    CheckNotEmpty(inputs.back());
+    CheckData(inputs.back().Data, fileName);
   }
   return inputs;
 }

@@ -33,17 +33,23 @@ public:
 
 vtkStandardNewMacro(LogWindow);
 
+constexpr std::size_t LongestMessage = 300;
+
 //------------------------------------------------------------------------------
-// "ERROR: In file, line n\nvtkClass (0x1234): text\n\n" becomes "text".
+// "ERROR: In file, line n\nvtkClass (0x1234): text\n\n" becomes "text"; the pipeline's own error, a
+// dump of a failed request, becomes nothing.
 std::string Strip(const std::string& message)
 {
   static const std::regex place("^[A-Za-z ]+: In [^\n]*, line [0-9]+\n");
   static const std::regex object("^vtk[A-Za-z0-9_]+ \\(0x[0-9a-f]+\\): ");
+  static const std::regex executive("^Algorithm vtk.* returned failure for request:[^]*");
   static const std::regex space("\\s+");
   std::string text = std::regex_replace(message, place, "");
   text = std::regex_replace(text, object, "");
+  text = std::regex_replace(text, executive, "");
   text = std::regex_replace(text, space, " ");
-  return text.substr(0, text.find_last_not_of(' ') + 1);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text.size() <= LongestMessage ? text : text.substr(0, LongestMessage) + "...";
 }
 }
 

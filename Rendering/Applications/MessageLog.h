@@ -24,8 +24,9 @@ public:
 
   void Clear();
   bool HasErrors() const { return !this->Errors.empty(); }
+  bool HasWarnings() const { return !this->Warnings.empty(); }
 
-  /** Text of the first error on one line, without the place in VTK's sources; may be empty. */
+  /** Text of the first error on one short line, without the place in VTK's sources; or empty. */
   std::string GetFirstError() const;
 
   /** The same of the first warning. */

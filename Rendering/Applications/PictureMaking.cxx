@@ -6,6 +6,7 @@
 #include "PictureWindow.h"
 #include "ProgressLine.h"
 
+#include "vtkCoordinate.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkPointData.h"
 #include "vtkReferenceRenderer.h"
@@ -47,7 +48,9 @@ void AddTitle(vtkRenderer* renderer, const std::string& title, const RenderOptio
   text->SetInput(title.c_str());
   text->GetTextProperty()->SetFontSize(size);
   text->GetTextProperty()->SetColor(gray, gray, gray);
-  text->SetDisplayPosition(size / 2, options.Size[1] - 2 * size);
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(0.02, 0.98);
+  text->GetTextProperty()->SetVerticalJustificationToTop();
   renderer->AddViewProp(text);
 }
 

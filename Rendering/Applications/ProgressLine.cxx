@@ -3,37 +3,19 @@
 
 #include "ProgressLine.h"
 
+#include "ErrorStream.h"
+
 #include "vtkCallbackCommand.h"
 
 #include <algorithm>
-#include <iostream>
-
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
 
 namespace pellucid
 {
-namespace
-{
-//------------------------------------------------------------------------------
-bool IsErrorStreamTerminal()
-{
-#ifdef _WIN32
-  return _isatty(2) != 0;
-#else
-  return isatty(2) != 0;
-#endif
-}
-}
-
 //------------------------------------------------------------------------------
 ProgressLine::ProgressLine(vtkObject* worker, std::string label)
   : Worker(worker)
   , Label(std::move(label))
-  , IsTerminal(IsErrorStreamTerminal())
+  , IsTerminal(ErrorStream::IsTerminal())
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
@@ -53,7 +35,7 @@ ProgressLine::~ProgressLine()
   this->Worker->RemoveObserver(this->Observer);
   if (this->IsTerminal && this->Shown >= 0)
   {
-    std::cerr << "\r\033[K" << std::flush;
+    this->Write("\r\033[K");
   }
 }
 
@@ -67,7 +49,13 @@ void ProgressLine::Show(double progress)
     return;
   }
   this->Shown = percent;
-  std::cerr << (this->IsTerminal ? "\r" : "") << this->Label << ": " << percent << " %"
-            << (this->IsTerminal ? "" : "\n") << std::flush;
+  const std::string text = this->Label + ": " + std::to_string(percent) + " %";
+  this->Write(this->IsTerminal ? "\r" + text : text + "\n");
+}
+
+//------------------------------------------------------------------------------
+void ProgressLine::Write(const std::string& text) const
+{
+  ErrorStream::Write(text.data(), text.size());
 }
 }

@@ -34,6 +34,7 @@ public:
 
 private:
   void Show(double progress);
+  void Write(const std::string& text) const;
 
   vtkSmartPointer<vtkObject> Worker;
   vtkNew<vtkCallbackCommand> Observer;
