@@ -13,138 +13,10 @@
 #define RayCasting_h
 
 #include "FragmentCompositing.h"
-#include "RayScene.h"
+#include "TileBins.h"
 
 namespace pellucid
 {
-/** Pixels x0 <= x < x1, y0 <= y < y1. */
-struct PixelRectangle
-{
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-
-  int Width() const { return std::max(0, this->x1 - this->x0); }
-  int Height() const { return std::max(0, this->y1 - this->y0); }
-
-  PixelRectangle Intersection(const PixelRectangle& other) const
-  {
-    return { std::max(this->x0, other.x0), std::max(this->y0, other.y0),
-      std::min(this->x1, other.x1), std::min(this->y1, other.y1) };
-  }
-};
-
-/**
- * The pixels that the convex hull of some points, given in clip coordinates, can touch in front of
- * the near plane, and one more on each side for rounding. The hull is bounded by the points in
- * front of the plane and by those where a connection of two points passes through it.
- */
-template <typename Real, std::size_t N>
-PixelRectangle ScreenBounds(const View<Real>& view, const std::array<Vector4<Real>, N>& points)
-{
-  constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  Real lower[2] = { infinity, infinity };
-  Real upper[2] = { -infinity, -infinity };
-  const auto extend = [&lower, &upper](const Vector4<Real>& point)
-  {
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      lower[axis] = std::min(lower[axis], point[axis] / point.w);
-      upper[axis] = std::max(upper[axis], point[axis] / point.w);
-    }
-  };
-  const auto nearness = [](const Vector4<Real>& point) { return point.z + point.w; };
-
-  for (std::size_t i = 0; i < N; ++i)
-  {
-    const Real here = nearness(points[i]);
-    if (here >= 0)
-    {
-      extend(points[i]);
-    }
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      const Real there = nearness(points[j]);
-      if ((here < 0) != (there < 0))
-      {
-        extend(glm::mix(points[i], points[j], here / (here - there)));
-      }
-    }
-  }
-
-  const auto pixel = [](Real normalized, int size)
-  { return static_cast<int>(std::clamp<Real>((normalized + 1) / 2 * size, -1, size + Real(1))); };
-  if (!(lower[0] <= upper[0] && lower[1] <= upper[1]))
-  {
-    return {};
-  }
-  return PixelRectangle{ pixel(lower[0], view.width) - 1, pixel(lower[1], view.height) - 1,
-    pixel(upper[0], view.width) + 2, pixel(upper[1], view.height) + 2 }
-    .Intersection({ 0, 0, view.width, view.height });
-}
-
-/** For each tile the primitives, in ascending order, whose rectangles touch it. */
-class TileBins
-{
-public:
-  static constexpr int TileSize = 8; ///< pixels; keeps the fragments of a tile small in memory
-
-  TileBins() = default;
-
-  TileBins(int width, int height, std::vector<PixelRectangle> rectangles)
-    : Columns((width + TileSize - 1) / TileSize)
-    , Rectangles(std::move(rectangles))
-  {
-    const int rows = (height + TileSize - 1) / TileSize;
-    this->Offsets.assign(static_cast<std::size_t>(this->Columns) * rows + 1, 0);
-    this->ForEachTile([this](std::size_t, std::size_t tile) { ++this->Offsets[tile + 1]; });
-    for (std::size_t tile = 1; tile < this->Offsets.size(); ++tile)
-    {
-      this->Offsets[tile] += this->Offsets[tile - 1];
-    }
-    this->Primitives.resize(this->Offsets.back());
-    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    this->ForEachTile([this, &next](std::size_t primitive, std::size_t tile)
-      { this->Primitives[next[tile]++] = primitive; });
-  }
-
-  const std::size_t* Begin(std::size_t tile) const
-  {
-    return this->Primitives.data() + this->Offsets[tile];
-  }
-  const std::size_t* End(std::size_t tile) const
-  {
-    return this->Primitives.data() + this->Offsets[tile + 1];
-  }
-  const PixelRectangle& Rectangle(std::size_t primitive) const
-  {
-    return this->Rectangles[primitive];
-  }
-
-private:
-  template <typename Visit>
-  void ForEachTile(Visit&& visit) const
-  {
-    for (std::size_t primitive = 0; primitive < this->Rectangles.size(); ++primitive)
-    {
-      const PixelRectangle& r = this->Rectangles[primitive];
-      for (int y = r.y0 / TileSize; r.Width() && y * TileSize < r.y1; ++y)
-      {
-        for (int x = r.x0 / TileSize; x * TileSize < r.x1; ++x)
-        {
-          visit(primitive, static_cast<std::size_t>(y) * this->Columns + x);
-        }
-      }
-    }
-  }
-
-  int Columns = 0;
-  std::vector<PixelRectangle> Rectangles;
-  std::vector<std::size_t> Offsets{ 0 };
-  std::vector<std::size_t> Primitives;
-};
-
 /** Casts the view rays of a scene, which must outlive it unchanged. */
 template <typename Real>
 class RayCaster
@@ -185,7 +57,10 @@ public:
       pixel.Clear();
     }
     this->CastTriangles(tile, area, pixels);
-    this->CastTubes(tile, area, pixels);
+    if (this->PieceBins.Begin(tile) != this->PieceBins.End(tile))
+    {
+      this->CastTubes(tile, area, this->PixelRays(area), pixels);
+    }
     for (auto& pixel : pixels)
     {
       pixel.Sort();
@@ -194,6 +69,7 @@ public:
 
 private:
   using Pixels = std::vector<PixelFragments<Real>>;
+  using Rays = std::vector<Ray<Real>>;
 
   int Columns() const
   {
@@ -363,11 +239,20 @@ private:
     }
   }
 
-  /** The visible part of a pixel's ray: between near and far plane and inside the clipping planes,
-   * thus a single interval, since all of these are half-spaces. */
-  Ray<Real> VisibleRay(const Surface<Real>& surface, int x, int y) const
+  Rays PixelRays(const PixelRectangle& area) const
   {
-    Ray<Real> ray = this->Input.view.PixelRay(x, y);
+    Rays rays;
+    rays.reserve(static_cast<std::size_t>(area.Width()) * area.Height());
+    ForEachPixel(area, area,
+      [this, &rays](int x, int y, std::size_t)
+      { rays.push_back(this->Input.view.PixelRay(x, y)); });
+    return rays;
+  }
+
+  /** The part of a ray between near and far plane and inside the clipping planes: a single
+   * interval, since all of these are half-spaces. */
+  static Ray<Real> VisibleRay(const Surface<Real>& surface, Ray<Real> ray)
+  {
     Interval<Real> visible{ ray.begin, ray.end };
     for (const auto& space : surface.clipping)
     {
@@ -378,54 +263,55 @@ private:
     return ray;
   }
 
+  void CastTubes(int tile, const PixelRectangle& area, const Rays& rays, Pixels& pixels) const
+  {
+    auto begin = this->PieceBins.Begin(tile);
+    const auto end = this->PieceBins.End(tile);
+    while (begin != end)
+    {
+      const std::uint32_t tube = this->Input.tubePieces[*begin].tube;
+      const auto next = std::find_if(begin, end,
+        [this, tube](std::size_t id) { return this->Input.tubePieces[id].tube != tube; });
+      this->CastTube(begin, next, area, rays, pixels);
+      begin = next;
+    }
+  }
+
   /**
    * A piece of a tube is seen from outside where its cone is entered at a point that belongs to the
-   * piece. A ray that starts inside a tube, cut open by the near plane or a clipping plane, also
+   * piece. A ray that starts inside the tube, cut open by the near plane or a clipping plane, also
    * sees the inner wall, once, where it first leaves the tube.
    */
-  void CastTubes(int tile, const PixelRectangle& area, Pixels& pixels) const
+  template <typename Iterator>
+  void CastTube(Iterator begin, Iterator end, const PixelRectangle& area, const Rays& rays,
+    Pixels& pixels) const
   {
-    auto id = this->PieceBins.Begin(tile);
-    const auto end = this->PieceBins.End(tile);
-    std::vector<bool> startsInside(pixels.size());
-    while (id != end)
+    const Surface<Real>& surface = this->Input.surfaces[this->Input.tubePieces[*begin].surface];
+    std::vector<std::size_t> startInside;
+    for (auto id = begin; id != end; ++id)
     {
-      const auto& firstPiece = this->Input.tubePieces[*id];
-      const auto tubeEnd = std::find_if(id, end,
-        [this, &firstPiece](std::size_t other)
-        { return this->Input.tubePieces[other].tube != firstPiece.tube; });
-      startsInside.assign(pixels.size(), false);
-      bool anyInside = false;
-      for (auto piece = id; piece != tubeEnd; ++piece)
-      {
-        ForEachPixel(area, this->PieceBins.Rectangle(*piece),
-          [&](int x, int y, std::size_t pixel)
+      ForEachPixel(area, this->PieceBins.Rectangle(*id),
+        [&](int, int, std::size_t pixel)
+        {
+          if (this->CastPiece(
+                this->Input.tubePieces[*id], VisibleRay(surface, rays[pixel]), pixels[pixel]))
           {
-            if (this->CastPiece(this->Input.tubePieces[*piece], x, y, pixels[pixel]))
-            {
-              startsInside[pixel] = anyInside = true;
-            }
-          });
-      }
-      if (anyInside)
-      {
-        ForEachPixel(area, area,
-          [&](int x, int y, std::size_t pixel)
-          {
-            if (startsInside[pixel])
-            {
-              this->CastInnerWall(id, tubeEnd, x, y, pixels[pixel]);
-            }
-          });
-      }
-      id = tubeEnd;
+            startInside.push_back(pixel);
+          }
+        });
+    }
+    std::sort(startInside.begin(), startInside.end());
+    startInside.erase(std::unique(startInside.begin(), startInside.end()), startInside.end());
+    for (const std::size_t pixel : startInside)
+    {
+      this->CastInnerWall(begin, end, VisibleRay(surface, rays[pixel]), pixels[pixel]);
     }
   }
 
   /** Adds the front fragment, if there is one; returns whether the ray starts inside the piece. */
-  bool CastPiece(const TubePiece<Real>& piece, int x, int y, PixelFragments<Real>& pixel) const
+  bool CastPiece(
+    const TubePiece<Real>& piece, const Ray<Real>& ray, PixelFragments<Real>& pixel) const
   {
-    const Ray<Real> ray = this->VisibleRay(this->Input.surfaces[piece.surface], x, y);
     const auto crossing = IntersectRoundedCone(ray, this->Cone(piece));
     if (!crossing || !(ray.begin <= ray.end))
     {
@@ -455,7 +341,8 @@ private:
    * because both get the same ray parameter for it.
    */
   template <typename Iterator>
-  void CastInnerWall(Iterator begin, Iterator end, int x, int y, PixelFragments<Real>& pixel) const
+  void CastInnerWall(
+    Iterator begin, Iterator end, const Ray<Real>& ray, PixelFragments<Real>& pixel) const
   {
     struct Stretch
     {
@@ -463,8 +350,6 @@ private:
       const TubePiece<Real>* piece;
       ConeHit<Real> exit;
     };
-    const Ray<Real> ray =
-      this->VisibleRay(this->Input.surfaces[this->Input.tubePieces[*begin].surface], x, y);
     std::vector<Stretch> stretches;
     for (auto id = begin; id != end; ++id)
     {

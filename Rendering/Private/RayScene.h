@@ -14,7 +14,6 @@
 #include "SurfaceShading.h"
 
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 namespace pellucid
@@ -172,9 +171,9 @@ public:
 
   /**
    * Add the tube around a polyline. A point that is not finite splits it and costs the segments
-   * that touch it. Segments without length are left out, and their neighbours meet at that place; a
-   * polyline that is all at one place is its largest ball. Negative radii are 0, and a segment with
-   * two radii of 0 is not drawn. Returns the number of points that were not finite.
+   * that touch it. Consecutive points at one place count as the first of them, and a polyline that
+   * is all at one place is a ball. Negative radii are 0, and a segment with two radii of 0 is not
+   * drawn. Returns the number of points that were not finite.
    */
   std::size_t AddTube(const std::vector<TubePoint<Real>>& polyline, std::uint32_t surface)
   {
@@ -182,16 +181,16 @@ public:
     std::vector<TubePoint<Real>> run;
     for (const auto& point : polyline)
     {
-      if (IsFinite(point))
-      {
-        run.push_back(point);
-        run.back().radius = std::max(point.radius, Real(0));
-      }
-      else
+      if (!IsFinite(point))
       {
         ++rejected;
         this->AddRun(run, surface);
         run.clear();
+      }
+      else if (run.empty() || run.back().position != point.position)
+      {
+        run.push_back(point);
+        run.back().radius = std::max(point.radius, Real(0));
       }
     }
     this->AddRun(run, surface);
@@ -205,14 +204,14 @@ private:
       std::isfinite(point.position.z) && std::isfinite(point.radius);
   }
 
-  /** The plane between two pieces of a tube; none where the line turns straight back. */
-  HalfSpace<Real> JointPlane(const TubePiece<Real>& before, const TubePiece<Real>& after) const
+  /** The plane between the segments that meet at a point; none where the line turns straight back.
+   */
+  static HalfSpace<Real> JointPlane(
+    const Vector3<Real>& previous, const Vector3<Real>& point, const Vector3<Real>& next)
   {
-    const Vector3<Real> chord =
-      this->tubePoints[after.last].position - this->tubePoints[before.first].position;
+    const Vector3<Real> chord = next - previous;
     const Real length = glm::length(chord);
-    return { this->tubePoints[after.first].position,
-      length > 0 ? chord / length : Vector3<Real>(Real(0)) };
+    return { point, length > 0 ? chord / length : Vector3<Real>(Real(0)) };
   }
 
   void AddRun(const std::vector<TubePoint<Real>>& run, std::uint32_t surface)
@@ -224,30 +223,22 @@ private:
     const std::uint32_t tube = this->tubes++;
     const std::size_t offset = this->tubePoints.size();
     this->tubePoints.insert(this->tubePoints.end(), run.begin(), run.end());
-
-    std::vector<TubePiece<Real>> pieces;
-    for (std::size_t i = 1; i < run.size(); ++i)
+    const std::size_t pieces = std::max<std::size_t>(run.size() - 1, 1);
+    HalfSpace<Real> joint;
+    for (std::size_t first = 0; first < pieces; ++first)
     {
-      if (run[i - 1].position != run[i].position)
+      const std::size_t last = std::min(first + 1, run.size() - 1);
+      TubePiece<Real> piece{ offset + first, offset + last, joint, {}, tube, surface };
+      if (first + 1 < pieces)
       {
-        pieces.push_back({ offset + i - 1, offset + i, {}, {}, tube, surface });
+        joint = JointPlane(run[first].position, run[last].position, run[last + 1].position);
+        piece.end = joint;
+      }
+      if (run[first].radius > 0 || run[last].radius > 0)
+      {
+        this->tubePieces.push_back(piece);
       }
     }
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-    {
-      pieces[i].start = pieces[i - 1].end = this->JointPlane(pieces[i - 1], pieces[i]);
-    }
-    if (pieces.empty())
-    {
-      const auto largest = std::max_element(
-        run.begin(), run.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
-      const std::size_t ball = offset + (largest - run.begin());
-      pieces.push_back({ ball, ball, {}, {}, tube, surface });
-    }
-    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(this->tubePieces),
-      [this](const auto& piece) {
-        return this->tubePoints[piece.first].radius > 0 || this->tubePoints[piece.last].radius > 0;
-      });
   }
 
   std::uint32_t tubes = 0;

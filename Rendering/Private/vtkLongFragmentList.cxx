@@ -28,8 +28,8 @@ Layer Unpack(const Color& color)
   const std::uint32_t alphaBits = (color.High >> 7) << 6;
   float alpha = 0.0f;
   std::memcpy(&alpha, &alphaBits, sizeof(alpha));
-  const std::array<std::uint32_t, 3> rgb{ color.Low & 8191u, (color.Low >> 13) & 8191u,
-    (color.Low >> 26) | ((color.High & 127u) << 6) };
+  const std::array<std::uint32_t, 3> rgb{ (color.Low >> 26) | ((color.High & 127u) << 6),
+    (color.Low >> 13) & 8191u, color.Low & 8191u };
   return { { rgb[0] / 8191.0, rgb[1] / 8191.0, rgb[2] / 8191.0 }, alpha };
 }
 
@@ -43,7 +43,7 @@ Color Pack(const Layer& layer)
   std::uint32_t alphaBits = 0;
   std::memcpy(&alphaBits, &alpha, sizeof(alpha));
   alphaBits = (alphaBits + 32u) >> 6;
-  return { rgb[0] | (rgb[1] << 13) | (rgb[2] << 26), (rgb[2] >> 6) | (alphaBits << 7) };
+  return { rgb[2] | (rgb[1] << 13) | (rgb[0] << 26), (rgb[0] >> 6) | (alphaBits << 7) };
 }
 
 /** Front-to-back accumulation, premultiplied. */

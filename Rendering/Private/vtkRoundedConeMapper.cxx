@@ -6,6 +6,7 @@
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
@@ -96,6 +97,7 @@ bool vtkRoundedConeMapper::BufferTexture::Upload(
   vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components)
 {
   this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType(); // or it keeps those of the last upload
   const int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
   this->Current =
     this->Buffer->Upload(values, count * components, vtkOpenGLBufferObject::TextureBuffer) &&
@@ -241,26 +243,32 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
 //------------------------------------------------------------------------------
 void vtkRoundedConeMapper::UpdateCutOpen()
 {
-  bool cutOpen = this->GetNumberOfClippingPlanes() > 0;
-  vtkBoundingBox nearPlane;
+  vtkBoundingBox corners;
   for (int corner = 0; corner < 4; ++corner)
   {
     const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
-    nearPlane.AddPoint(TransformPoint(clip, this->ClipToView).data());
+    corners.AddPoint(TransformPoint(clip, this->ClipToView).data());
   }
   vtkBoundingBox trajectories;
   for (int corner = 0; corner < 8; ++corner)
   {
     double node[4] = { 0.0, 0.0, 0.0, 1.0 };
     this->Nodes->GetPointBounds().GetCorner(corner, node);
-    for (int i = 0; i < 3; ++i)
-    {
-      node[i] -= this->Nodes->GetCenter()[i];
-    }
+    vtkMath::Subtract(node, this->Nodes->GetCenter().data(), node);
     trajectories.AddPoint(TransformPoint(node, this->NodeToView).data());
   }
   trajectories.Inflate(this->Nodes->GetMaximumRadius());
-  cutOpen = cutOpen || trajectories.Intersects(nearPlane);
+
+  this->EnteredTubes.clear();
+  if (trajectories.Intersects(corners))
+  {
+    vtkEnteredTubes::NearPlane nearPlane;
+    corners.GetCenter(nearPlane.Center.data());
+    nearPlane.Radius = 0.5 * corners.GetDiagonalLength();
+    nearPlane.Parallel = this->Parallel;
+    this->EnteredTubes = vtkEnteredTubes::Find(*this->Nodes, this->NodeToView, nearPlane);
+  }
+  const bool cutOpen = this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
   if (cutOpen != this->CutOpen)
   {
     this->CutOpen = cutOpen;
@@ -348,8 +356,17 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     fragment.Replace("//VTK::Depth::Impl", vtkRoundedConeImplFS);
     if (this->CutOpen)
     {
-      vertex.Replace("//VTK::Exit::Dec", "flat out int enteredMask;\n");
-      vertex.Replace("//VTK::Exit::Impl", "enteredMask = 0;\n");
+      vertex.Replace("//VTK::Exit::Dec",
+        "uniform int enteredCount;\n"
+        "uniform int enteredStretches[64];\n"
+        "flat out int enteredMask;\n");
+      vertex.Replace("//VTK::Exit::Impl",
+        "enteredMask = 0;\n"
+        "  for (int i = 0; i < enteredCount; ++i)\n"
+        "  {\n"
+        "    bool seen = enteredStretches[2 * i] <= node && node <= enteredStretches[2 * i + 1];\n"
+        "    enteredMask |= seen ? 1 << i : 0;\n"
+        "  }\n");
       fragment.Replace("//VTK::Exit::Dec", vtkRoundedConeExitDecFS);
       fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
     }
@@ -484,7 +501,21 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
   }
   program->SetUniformi("clipPlaneCount", count);
   program->SetUniform4fv("clipPlanesVC", MaximumClippingPlanes, planes);
-  program->SetUniformi("enteredCount", 0);
+
+  float balls[2 * vtkEnteredTubes::Maximum][4] = {};
+  int stretches[2 * vtkEnteredTubes::Maximum] = {};
+  const int entered = static_cast<int>(this->EnteredTubes.size());
+  for (int i = 0; i < entered; ++i)
+  {
+    const vtkEnteredTubes::Tube& tube = this->EnteredTubes[i];
+    std::copy(tube.Balls[0].begin(), tube.Balls[0].end(), balls[2 * i]);
+    std::copy(tube.Balls[1].begin(), tube.Balls[1].end(), balls[2 * i + 1]);
+    stretches[2 * i] = static_cast<int>(tube.First);
+    stretches[2 * i + 1] = static_cast<int>(tube.Last);
+  }
+  program->SetUniformi("enteredCount", entered);
+  program->SetUniform4fv("enteredBalls", 2 * vtkEnteredTubes::Maximum, balls);
+  program->SetUniform1iv("enteredStretches", 2 * vtkEnteredTubes::Maximum, stretches);
 }
 
 //------------------------------------------------------------------------------

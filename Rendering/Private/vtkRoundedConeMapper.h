@@ -16,6 +16,7 @@
 #ifndef vtkRoundedConeMapper_h
 #define vtkRoundedConeMapper_h
 
+#include "vtkEnteredTubes.h"
 #include "vtkMatrix4x4.h" // for camera and actor
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h" // for buffer textures
@@ -122,6 +123,7 @@ private:
   vtkNew<vtkMatrix4x4> ClipToView;
   bool Parallel = false;
 
+  std::vector<vtkEnteredTubes::Tube> EnteredTubes;
   bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
   vtkTimeStamp ShaderVariantTime;
 };

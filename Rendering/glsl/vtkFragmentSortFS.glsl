@@ -14,7 +14,7 @@
 //VTK::Pellucid::Lists
 //VTK::Pellucid::OpaqueDepth
 
-// Nearer first; then less opaque, then by colour. Nodes equal in all this are interchangeable.
+// Nearer first; then less opaque; then by red, green, blue. Nodes equal in all this are interchangeable.
 bool isBefore(uint a, uint depthA, uint b, uint depthB)
 {
   if (depthA != depthB)
@@ -95,6 +95,8 @@ void main()
   {
     uint nodes[PELLUCID_RUN_LENGTH];
     uint depths[PELLUCID_RUN_LENGTH];
+    nodes[0] = 0u; // compilers warn of arrays that are first written by a variable index
+    depths[0] = 0u;
     int count = 0;
     while (node != 0u && count < PELLUCID_RUN_LENGTH)
     {

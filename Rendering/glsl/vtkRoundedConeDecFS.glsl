@@ -17,8 +17,6 @@ flat in vec4 endPlaneLC;
 
 //VTK::NodeColor::Dec
 
-//VTK::Exit::Dec
-
 // A view ray in LC, started where it passes the axis, and the quadratic
 // k.z t^2 + 2 k.y t + k.x that is negative inside the double cone around the segment.
 struct ConeRay
@@ -92,3 +90,5 @@ bool betweenJoints(vec3 point)
 {
   return dot(startPlaneLC, vec4(point, 1.0)) <= 0.0 && dot(endPlaneLC, vec4(point, 1.0)) < 0.0;
 }
+
+//VTK::Exit::Dec

@@ -7,7 +7,7 @@ uniform int clipPlaneCount;
 uniform vec4 clipPlanesVC[6];
 uniform float nearVC;            // distance of the near plane
 uniform int enteredCount;
-uniform vec4 enteredBalls[16];   // ends in VC and radii of the segments that hold a part of the near plane
+uniform vec4 enteredBalls[64];   // ends in VC and radii of the segments that hold a part of the near plane
 flat in int enteredMask;         // which of them belong to this segment's stretch of line
 
 bool isCut(vec3 pointLC)

@@ -1,6 +1,6 @@
   bool cutOpen = isCut(hit.xyz);
   shown = shown && !cutOpen;
-  if (!shown && hit.w == hit.w && (cutOpen || startsInside(ray.direction)))
+  if (!shown && (cutOpen || startsInside(ray.direction)))
   {
     shown = hitCone(ray, 1.0, hit) && betweenJoints(hit.xyz) && !isCut(hit.xyz);
     facing = -1.0;

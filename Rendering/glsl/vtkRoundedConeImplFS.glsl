@@ -1,12 +1,12 @@
   // The hit of view ray and rounded cone: gives VTK's shader vertexVC, normalVCVSOutput and the depth.
   ConeRay ray = viewRay();
-  if (ray.root < 0.0)
+  vec4 hit;
+  if (ray.root < 0.0 || !hitCone(ray, -1.0, hit))
   {
     discard;
   }
-  vec4 hit = vec4(0.0);
   float facing = 1.0;
-  bool shown = hitCone(ray, -1.0, hit) && betweenJoints(hit.xyz);
+  bool shown = betweenJoints(hit.xyz);
   //VTK::Exit::Impl
   if (!shown)
   {

@@ -27,7 +27,8 @@ struct SphereScene
     this->Window->SetSize(width, height);
     this->Window->OffScreenRenderingOn();
     this->Window->AddRenderer(this->Renderer);
-    this->Renderer->SetBackground(0.9, 0.95, 1.0);
+    // Colours that 8 bits hold exactly, so that the background adds no rounding of its own.
+    this->Renderer->SetBackground(0.8, 0.6, 1.0);
     for (int i = 0; i < translucentSpheres; ++i)
     {
       this->AddSphere(i, 0.1 + 0.05 * (i % 8));

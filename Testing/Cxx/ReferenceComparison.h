@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReferenceComparison_h
+#define ReferenceComparison_h
+
+#include "Picture.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkReferenceRenderer.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+
+#include <array>
+#include <vector>
+
+/**
+ * Compares what a window shows with the double-precision reference.
+ *
+ * A rasteriser places vertices on a grid of 1/256 pixel and interpolates in single precision, so a
+ * pixel whose centre lies that close to an edge may show either side of it, shaded with a normal
+ * that is extrapolated beyond the edge. Such a pixel is explained when it shows, within 8 of 255,
+ * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
+ * silhouette pixel and not measured.
+ */
+class ReferenceComparison
+{
+public:
+  ReferenceComparison(vtkRenderWindow* window, vtkRenderer* renderer)
+    : Shown(Picture::Render(window))
+    , Renderer(renderer)
+  {
+    const std::vector<double> reference = this->RenderReference(0.0, 0.0);
+    std::vector<std::size_t> doubtful;
+    double sum = 0.0;
+    std::size_t measured = 0;
+    for (std::size_t pixel = 0; pixel < reference.size() / 4; ++pixel)
+    {
+      const double difference = this->GetDifference(reference, pixel);
+      if (difference > 1.0)
+      {
+        doubtful.push_back(pixel);
+        continue;
+      }
+      ++measured;
+      this->LargestDifference = std::max(this->LargestDifference, difference);
+      for (int i = 0; i < 3; ++i)
+      {
+        const double error = this->Shown.Rgba[4 * pixel + i] - 255.0 * reference[4 * pixel + i];
+        sum += error * error;
+      }
+    }
+    this->RootMeanSquare = std::sqrt(sum / std::max<std::size_t>(3 * measured, 1));
+    this->Explain(doubtful);
+  }
+
+  double GetRootMeanSquare() const { return this->RootMeanSquare; }
+  double GetLargestDifference() const { return this->LargestDifference; }
+  vtkIdType GetSilhouettePixels() const { return this->SilhouettePixels; }
+  vtkIdType GetUnexplainedPixels() const { return this->UnexplainedPixels; }
+  vtkIdType GetNumberOfFragments() const { return this->Fragments; }
+  vtkIdType GetLongestList() const { return this->LongestList; }
+
+  /// Print the figures and check them against the rounding limit of an 8-bit picture.
+  bool Passes(const std::string& scene, double largestSilhouettePart = 0.01) const
+  {
+    const double part =
+      static_cast<double>(this->SilhouettePixels) / (this->Shown.Width * this->Shown.Height);
+    std::cout << scene << ": RMSE " << this->RootMeanSquare << ", maximum "
+              << this->LargestDifference << " of 255, " << this->SilhouettePixels
+              << " silhouette pixels, " << this->UnexplainedPixels << " unexplained, "
+              << this->Fragments << " fragments, longest list " << this->LongestList << std::endl;
+    // Rounding alone is 0.289 for a distribution of colours, up to 0.5 for a single one.
+    const double rootMeanSquareLimit = this->IsUniform() ? 0.5 : 0.30;
+    bool passed = Check(
+      this->RootMeanSquare <= rootMeanSquareLimit, scene + ": the RMSE is not that of rounding");
+    passed &= Check(this->UnexplainedPixels == 0, scene + ": pixels differ without explanation");
+    passed &= Check(part <= largestSilhouettePart, scene + ": too many silhouette pixels");
+    return passed;
+  }
+
+private:
+  static constexpr double SilhouetteTolerance = 8.0;
+
+  /// The reference's RGBA, with the view displaced by a part of a pixel.
+  std::vector<double> RenderReference(double dx, double dy)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const std::array<double, 2> center{ camera->GetWindowCenter()[0],
+      camera->GetWindowCenter()[1] };
+    camera->SetWindowCenter(
+      center[0] + 2.0 * dx / this->Shown.Width, center[1] + 2.0 * dy / this->Shown.Height);
+    vtkNew<vtkReferenceRenderer> reference;
+    reference->SetRenderer(this->Renderer);
+    reference->SetSize(this->Shown.Width, this->Shown.Height);
+    reference->Update();
+    camera->SetWindowCenter(center[0], center[1]);
+    this->Fragments = reference->GetNumberOfFragments();
+    this->LongestList = reference->GetLongestList();
+    vtkDataArray* colors = reference->GetImage()->GetPointData()->GetScalars();
+    std::vector<double> values(colors->GetNumberOfValues());
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      colors->GetTuple(i, &values[4 * i]);
+    }
+    return values;
+  }
+
+  bool IsUniform() const
+  {
+    const unsigned char* first = this->Shown.GetPixel(0, 0);
+    bool uniform = true;
+    for (std::size_t i = 0; i < this->Shown.Rgba.size(); i += 4)
+    {
+      uniform &= std::equal(first, first + 3, &this->Shown.Rgba[i]);
+    }
+    return uniform;
+  }
+
+  double GetDifference(const std::vector<double>& reference, std::size_t pixel) const
+  {
+    double largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      // As an 8-bit picture would show it.
+      const double expected = std::floor(255.0 * reference[4 * pixel + i] + 0.5);
+      largest = std::max(largest, std::abs(this->Shown.Rgba[4 * pixel + i] - expected));
+    }
+    return largest;
+  }
+
+  void Explain(std::vector<std::size_t> doubtful)
+  {
+    const vtkIdType fragments = this->Fragments;
+    const vtkIdType longest = this->LongestList;
+    const double step = 1.0 / 64.0;
+    const std::size_t all = doubtful.size();
+    for (const auto& direction : { std::array<int, 2>{ 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 },
+           { 1, 1 }, { -1, -1 }, { 1, -1 }, { -1, 1 } })
+    {
+      if (doubtful.empty())
+      {
+        break;
+      }
+      const std::vector<double> reference =
+        this->RenderReference(step * direction[0], step * direction[1]);
+      doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
+                       [&](std::size_t pixel)
+                       { return this->GetDifference(reference, pixel) <= SilhouetteTolerance; }),
+        doubtful.end());
+    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(doubtful.size(), 5); ++i)
+    {
+      this->Describe(doubtful[i]);
+    }
+    this->UnexplainedPixels = static_cast<vtkIdType>(doubtful.size());
+    this->SilhouettePixels = static_cast<vtkIdType>(all - doubtful.size());
+    this->Fragments = fragments;
+    this->LongestList = longest;
+  }
+
+  void Describe(std::size_t pixel)
+  {
+    const int x = static_cast<int>(pixel % this->Shown.Width);
+    const int y = static_cast<int>(pixel / this->Shown.Width);
+    vtkNew<vtkReferenceRenderer> reference;
+    reference->SetRenderer(this->Renderer);
+    reference->SetSize(this->Shown.Width, this->Shown.Height);
+    reference->Update();
+    vtkNew<vtkTable> fragments;
+    reference->GetPixelFragments(x, y, fragments);
+    const unsigned char* shown = this->Shown.GetPixel(x, y);
+    std::cout << "unexplained pixel " << x << " " << y << ": shown " << int(shown[0]) << " "
+              << int(shown[1]) << " " << int(shown[2]) << ", expected";
+    for (int i = 0; i < 3; ++i)
+    {
+      std::cout << " " << 255.0 * reference->GetImage()->GetScalarComponentAsDouble(x, y, 0, i);
+    }
+    std::cout << std::endl;
+    fragments->Dump(20);
+  }
+
+  Picture Shown;
+  vtkRenderer* Renderer;
+  double RootMeanSquare = 0.0;
+  double LargestDifference = 0.0;
+  vtkIdType SilhouettePixels = 0;
+  vtkIdType UnexplainedPixels = 0;
+  vtkIdType Fragments = 0;
+  vtkIdType LongestList = 0;
+};
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Surfaces and glyphs of VTK's own mappers are drawn as the double-precision reference draws them.
+#include "LayerStack.h"
+#include "OpenGLDebugOutput.h"
+#include "ReferenceComparison.h"
+#include "SphereScene.h"
+
+#include "vtkConeSource.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkPlaneSource.h"
+#include "vtkTransparencyInstaller.h"
+
+namespace
+{
+bool Compare(SphereScene& scene, const std::string& name)
+{
+  OpenGLDebugOutput debugOutput(scene.Window);
+  vtkTransparencyInstaller::Install(scene.Renderer);
+  // Creates the light and the window before the reference looks at the scene.
+  scene.Window->Render();
+  return ReferenceComparison(scene.Window, scene.Renderer).Passes(name);
+}
+
+bool TestSpheres(int width, int height, const std::string& name)
+{
+  SphereScene scene(width, height, 0, 20, 4);
+  return Compare(scene, name);
+}
+
+bool TestParallelProjection()
+{
+  SphereScene scene(300, 200, 0, 20, 4);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.8);
+  scene.Renderer->GetActiveCamera()->Azimuth(30);
+  return Compare(scene, "spheres in parallel projection");
+}
+
+bool TestLargeCoordinates()
+{
+  SphereScene scene(300, 200, 0, 12, 2);
+  vtkCollectionSimpleIterator cookie;
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
+  {
+    actor->SetPosition(6.4e6, -6.4e6, 6.4e6);
+  }
+  scene.Renderer->ResetCamera(6.4e6 - 2, 6.4e6 + 2, -6.4e6 - 2, -6.4e6 + 2, 6.4e6 - 2, 6.4e6 + 2);
+  return Compare(scene, "spheres at 6.4e6");
+}
+
+bool TestCoincidentSurfaces()
+{
+  SphereScene scene(200, 200, 0, 0, 0);
+  for (int i = 0; i < 3; ++i)
+  {
+    const LayerStack stack(4, 0.3 + 0.2 * i);
+    scene.Renderer->AddActor(stack.MakeActor(i));
+  }
+  LayerStack::SetCamera(scene.Renderer);
+  return Compare(scene, "coincident surfaces");
+}
+
+bool TestGlyphs()
+{
+  SphereScene scene(300, 300, 0, 3, 2);
+  vtkNew<vtkPlaneSource> grid;
+  grid->SetOrigin(-1.5, -1.5, 0.3);
+  grid->SetPoint1(1.5, -1.5, 0.6);
+  grid->SetPoint2(-1.5, 1.5, -0.4);
+  grid->SetResolution(5, 5);
+  vtkNew<vtkConeSource> cone;
+  cone->SetHeight(0.5);
+  cone->SetRadius(0.2);
+  cone->SetResolution(12);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputConnection(grid->GetOutputPort());
+  mapper->SetSourceConnection(cone->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.1, 0.7, 0.4);
+  actor->GetProperty()->SetOpacity(0.35);
+  scene.Renderer->AddActor(actor);
+  return Compare(scene, "glyphs among spheres");
+}
+
+bool TestManyLayers()
+{
+  bool passed = true;
+  for (const auto& [layers, opacity] :
+    { std::pair<int, double>{ 64, 0.05 }, { 1000, 1e-4 }, { 1000, 0.01 }, { 3000, 1e-3 } })
+  {
+    const LayerStack stack(layers, opacity);
+    SphereScene scene(9, 7, 0, 0, 0);
+    scene.Renderer->AddActor(stack.MakeActor(5));
+    LayerStack::SetCamera(scene.Renderer);
+    passed &= Compare(scene, std::to_string(layers) + " layers");
+  }
+  return passed;
+}
+}
+
+int TestExactSurfaces(int, char*[])
+{
+  bool passed = TestSpheres(301, 199, "spheres, odd viewport");
+  passed &= TestSpheres(1, 1, "spheres in one pixel");
+  passed &= TestParallelProjection();
+  passed &= TestLargeCoordinates();
+  passed &= TestCoincidentSurfaces();
+  passed &= TestGlyphs();
+  passed &= TestManyLayers();
+  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}
