@@ -11,8 +11,9 @@
  * limit on the number of layers. Lighting is that of VTK's own shaders (vtkOpenGLPolyDataMapper).
  *
  * Drawn are vtkActor, and the actors of assemblies, with
- * - triangles, polygons and strips of any vtkPolyDataMapper without impostors, and of composite
- *   poly data mappers;
+ * - tubes, balls, polygons and strips of vtkTrajectoryMapper;
+ * - triangles, polygons and strips of any other vtkPolyDataMapper without impostors, and of
+ *   composite poly data mappers;
  * - the polygons of glyphs of vtkGlyph3DMapper.
  * Whatever else the renderer holds (volumes, one-pixel wide lines and points, wireframes, textures,
  * 2D props, ...) is left out; a warning names it, and so does GetOmissions().

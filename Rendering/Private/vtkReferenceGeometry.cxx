@@ -494,12 +494,7 @@ vtkReferenceRejects vtkAddReferenceGlyphs(vtkReferenceTarget& target, vtkGlyph3D
   if (!sources.empty())
   {
     vtkForEachLeaf<vtkDataSet>(mapper->GetInputDataObject(0, 0),
-      [&](vtkDataSet* data)
-      {
-        const auto more = AddGlyphs(target, mapper, data, sources);
-        rejects.invalid += more.invalid;
-        rejects.pixels += more.pixels;
-      });
+      [&](vtkDataSet* data) { rejects += AddGlyphs(target, mapper, data, sources); });
   }
   return rejects;
 }

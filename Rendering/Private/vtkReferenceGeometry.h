@@ -35,6 +35,12 @@ struct vtkReferenceRejects
 {
   vtkIdType invalid = 0; ///< cells, or points of lines, with coordinates that are not finite
   vtkIdType pixels = 0;  ///< vertices and lines that a surface mapper draws one pixel wide
+
+  void operator+=(const vtkReferenceRejects& other)
+  {
+    this->invalid += other.invalid;
+    this->pixels += other.pixels;
+  }
 };
 
 /** Calls visit(leaf) for every leaf of that type of a composite, or for a plain data set itself. */

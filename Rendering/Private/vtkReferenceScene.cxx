@@ -20,14 +20,13 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTrajectoryMapper.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper2.h"
-using vtkBlockMapper = vtkCompositePolyDataMapper2;
 #else
 #include "vtkCompositePolyDataMapper.h"
-using vtkBlockMapper = vtkCompositePolyDataMapper;
 #endif
 
 #include <glm/gtc/type_ptr.hpp>
@@ -62,6 +61,24 @@ pellucid::Material<double> ToMaterial(vtkProperty* property)
   return material;
 }
 
+// What came with VTK 9.3.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+using BlockMapper = vtkCompositePolyDataMapper2;
+
+bool HasVerticalGradient(vtkRenderer*)
+{
+  return true;
+}
+#else
+using BlockMapper = vtkCompositePolyDataMapper;
+
+bool HasVerticalGradient(vtkRenderer* renderer)
+{
+  return !renderer->GetGradientBackground() ||
+    renderer->GetGradientMode() == vtkViewport::GradientModes::VTK_GRADIENT_VERTICAL;
+}
+#endif
+
 /** Whether single blocks of a composite input look different from the rest. */
 bool HasBlockAttributes(vtkCompositeDataDisplayAttributes* attributes)
 {
@@ -83,6 +100,8 @@ vtkReferenceScene::vtkReferenceScene(vtkRenderer* renderer, int width, int heigh
 {
   this->TakeCamera(renderer, width, height);
   this->TakeLights(renderer);
+  this->Omit("background texture", renderer->GetTexturedBackground());
+  this->Omit("background gradient that is not vertical", !HasVerticalGradient(renderer));
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -263,18 +282,22 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
     this->Omit("block attributes", HasBlockAttributes(glyphs->GetBlockAttributes()));
     rejects = vtkAddReferenceGlyphs(target, glyphs);
   }
+  else if (auto* trajectories = vtkTrajectoryMapper::SafeDownCast(mapper))
+  {
+    const double radius = trajectories->GetEffectiveRadius();
+    vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
+      [&](vtkPolyData* data) {
+        rejects +=
+          vtkAddReferenceTrajectories(target, data, radius, trajectories->GetRadiusArray());
+      });
+  }
   else if (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper"))
   {
-    auto* blocks = vtkBlockMapper::SafeDownCast(mapper);
+    auto* blocks = BlockMapper::SafeDownCast(mapper);
     this->Omit("block attributes",
       blocks && HasBlockAttributes(blocks->GetCompositeDataDisplayAttributes()));
     vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
-      [&target, &rejects](vtkPolyData* data)
-      {
-        const auto more = vtkAddReferencePolygons(target, data);
-        rejects.invalid += more.invalid;
-        rejects.pixels += more.pixels;
-      });
+      [&target, &rejects](vtkPolyData* data) { rejects += vtkAddReferencePolygons(target, data); });
   }
   else
   {

@@ -6,6 +6,7 @@
  * rasterisation in single precision may decide otherwise about a pixel.
  */
 
+#include "ReferencePicture.h"
 #include "ReferenceTesting.h"
 
 #include "vtkActor.h"
@@ -17,7 +18,6 @@
 #include "vtkConeSource.h"
 #include "vtkElevationFilter.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightKit.h"
 #include "vtkMultiBlockDataSet.h"
@@ -27,7 +27,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkReferenceRenderer.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
@@ -35,74 +34,12 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace
 {
 constexpr int Width = 321;
 constexpr int Height = 240;
-
-struct Difference
-{
-  double smooth = 0.0;  ///< largest, of 255, away from edges
-  double largest = 0.0; ///< largest anywhere
-  int visible = 0;      ///< pixels that differ by more than 2
-};
-
-/** Is there an edge of the picture, a step of more than 6 of 255, next to a pixel? */
-bool IsAtEdge(vtkImageData* image, int x, int y)
-{
-  const auto* center = static_cast<double*>(image->GetScalarPointer(x, y, 0));
-  double step = 0.0;
-  for (int j = std::max(0, y - 1); j <= std::min(Height - 1, y + 1); ++j)
-  {
-    for (int i = std::max(0, x - 1); i <= std::min(Width - 1, x + 1); ++i)
-    {
-      const auto* color = static_cast<double*>(image->GetScalarPointer(i, j, 0));
-      for (int component = 0; component < 3; ++component)
-      {
-        step = std::max(step, std::abs(color[component] - center[component]));
-      }
-    }
-  }
-  return step > 6.0 / 255.0;
-}
-
-Difference Compare(vtkRenderWindow* window, vtkRenderer* renderer)
-{
-  window->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
-
-  vtkNew<vtkReferenceRenderer> reference;
-  reference->SetRenderer(renderer);
-  reference->SetSize(Width, Height);
-  reference->Update();
-  vtkImageData* image = reference->GetImage();
-
-  Difference difference;
-  for (int y = 0; y < Height; ++y)
-  {
-    for (int x = 0; x < Width; ++x)
-    {
-      const auto* expected = static_cast<double*>(image->GetScalarPointer(x, y, 0));
-      double worst = 0.0;
-      for (int i = 0; i < 3; ++i)
-      {
-        worst = std::max(worst,
-          std::abs(pixels->GetComponent(y * Width + x, i) - std::round(255.0 * expected[i])));
-      }
-      difference.largest = std::max(difference.largest, worst);
-      difference.visible += worst > 2.0;
-      if (!IsAtEdge(image, x, y))
-      {
-        difference.smooth = std::max(difference.smooth, worst);
-      }
-    }
-  }
-  return difference;
-}
 
 /** The actor of a test scene: a coarse sphere with a strong highlight. */
 struct Scene
@@ -344,9 +281,8 @@ int TestReferenceOpaque(int, char*[])
     }
     // VTK blends into 8 bit, thus rounds twice.
     const double tolerance = scene.Property()->GetOpacity() < 1.0 ? 2.0 : 1.0;
-    const Difference difference = Compare(scene.Window, scene.Renderer);
-    std::cout << name << ": smooth " << difference.smooth << ", largest " << difference.largest
-              << ", more than 2 in " << difference.visible << " pixels\n";
+    const PictureDifference difference = CompareWithReference(scene.Window, scene.Renderer);
+    std::cout << name << ": " << difference << "\n";
     checks.True(std::string(name) + ": differs away from edges", difference.smooth <= tolerance);
     checks.True(std::string(name) + ": differs at edges", difference.visible <= 20);
   }

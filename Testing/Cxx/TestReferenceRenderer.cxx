@@ -93,15 +93,13 @@ void TestStack(Checks& checks, int layers, double opacity)
   checks.Near(name + ", longest list", reference->GetLongestList(), layers, 0);
 }
 
-void TestDepths(Checks& checks)
+void TestDepths(Checks& checks, double nearDistance, double farDistance, int visible)
 {
   vtkNew<vtkRenderer> renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0, 0, 10);
   camera->SetFocalPoint(0, 0, 0);
   camera->SetViewAngle(30);
-  const double nearDistance = 2.0;
-  const double farDistance = 13.0;
   camera->SetClippingRange(nearDistance, farDistance);
   renderer->AddActor(MakeStack(5, 0.5)); // at distances 14, 12, 10, 8 and 6
   vtkNew<vtkReferenceRenderer> reference;
@@ -110,7 +108,7 @@ void TestDepths(Checks& checks)
   reference->Update();
   vtkNew<vtkTable> fragments;
   reference->GetPixelFragments(2, 1, fragments);
-  checks.Near("fragments within the clipping range", fragments->GetNumberOfRows(), 4, 0);
+  checks.Near("fragments within the clipping range", fragments->GetNumberOfRows(), visible, 0);
   for (int i = 0; i < fragments->GetNumberOfRows(); ++i)
   {
     const double distance = 6.0 + 2.0 * i;
@@ -281,7 +279,8 @@ int TestReferenceRenderer(int, char*[])
   TestStack(checks, 64, 0.1);
   TestStack(checks, 500, 0.0019);
   TestStack(checks, 100000, 1e-4);
-  TestDepths(checks);
+  TestDepths(checks, 2.0, 13.0, 4);
+  TestDepths(checks, 1e-3, 1e6, 5);
   TestSharedEdges(checks);
   TestSameBits(checks);
   TestBackground(checks);

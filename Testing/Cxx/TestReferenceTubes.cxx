@@ -10,6 +10,8 @@
 #include "RayCasting.h"
 #include "ReferenceTesting.h"
 
+#include <random>
+
 namespace
 {
 template <typename Real>
@@ -167,6 +169,70 @@ void TestInside(Checks& checks)
   checks.Near("a tube within a tube, its front", Distance(both.front()), 3.5, 1e-12);
 }
 
+/** Is a point in a piece of one of the tubes? Searches the balls of each piece. */
+bool IsInside(const Scene<double>& scene, const Vec<double>& point)
+{
+  return std::any_of(scene.tubePieces.begin(), scene.tubePieces.end(),
+    [&](const auto& piece)
+    {
+      const auto& first = scene.tubePoints[piece.first];
+      const auto& last = scene.tubePoints[piece.last];
+      bool inBall = false;
+      for (int i = 0; i <= 200 && !inBall && piece.Owns(point); ++i)
+      {
+        const double s = i / 200.0;
+        inBall = glm::distance(point, glm::mix(first.position, last.position, s)) <=
+          glm::mix(first.radius, last.radius, s);
+      }
+      return inBall;
+    });
+}
+
+/** Random bent tubes that a clipping plane cuts open: where a march along the ray that starts
+ * inside comes out of the tube, the inner wall is seen, behind any other wall. */
+void TestRandomCuts(Checks& checks)
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  constexpr double step = 0.01;
+  int starts = 0;
+  for (int run = 0; run < 40; ++run)
+  {
+    auto scene = MakeScene<double>(16, 16, 2);
+    scene.surfaces.front().clipping.push_back(
+      { Vec<double>(0, 0, -5), glm::normalize(Vec<double>(uniform(generator), 0.3, -1)) });
+    // Segments of equal length meet without a step in the joint plane.
+    std::vector<Vec<double>> points{ { -4, 0, -5.5 } };
+    for (int i = 0; i < 5; ++i)
+    {
+      points.push_back(points.back() +
+        1.8 * glm::normalize(Vec<double>(1, 0.7 * uniform(generator), 0.7 * uniform(generator))));
+    }
+    scene.AddTube(MakeLine(points, 0.8), 0);
+    for (int pixel = 0; pixel < 16; ++pixel)
+    {
+      const auto& plane = scene.surfaces.front().clipping.front();
+      const auto ray = scene.view.PixelRay(pixel, 8);
+      double distance = -plane.Height(ray.origin) / glm::dot(plane.normal, ray.direction);
+      if (!IsInside(scene, ray.At(distance)))
+      {
+        continue;
+      }
+      ++starts;
+      while (IsInside(scene, ray.At(distance)))
+      {
+        distance += step;
+      }
+      const auto fragments = CastPixel(scene, pixel, 8);
+      const bool found = std::any_of(fragments.begin(), fragments.end(),
+        [&](const auto& fragment)
+        { return std::abs(Distance(fragment) - 1 - distance) < 1.1 * step; });
+      checks.True("inner wall of a bent tube at " + std::to_string(distance), found);
+    }
+  }
+  checks.True("enough rays start inside", starts > 100);
+}
+
 void TestClipping(Checks& checks)
 {
   auto scene = MakeScene<double>(41, 21, 2);
@@ -231,6 +297,7 @@ int TestReferenceTubes(int, char*[])
   TestStraight<float>(checks, 1e-4f);
   TestBends(checks);
   TestInside(checks);
+  TestRandomCuts(checks);
   TestClipping(checks);
   TestDamage(checks);
   TestColor(checks);
