@@ -3,6 +3,7 @@
 
 #include "SceneCamera.h"
 
+#include "RenderError.h"
 #include "RenderScene.h"
 
 #include "vtkBoundingBox.h"
@@ -136,6 +137,27 @@ Vector3 FitPosition(const Scene& scene, const PictureAxes& axes, const double ta
     0.5 * (reach[1][0] + reach[1][1]) / tangents[1]);
   return camera;
 }
+
+//------------------------------------------------------------------------------
+void CheckOrientation(vtkCamera* camera)
+{
+  const double* position = camera->GetPosition();
+  const double* focalPoint = camera->GetFocalPoint();
+  double direction[3] = { 0.0, 0.0, 0.0 };
+  vtkMath::Subtract(focalPoint, position, direction);
+  double up[3];
+  camera->GetViewUp(up);
+  if (vtkMath::Normalize(direction) == 0.0)
+  {
+    throw RenderError("--camera-position: is the focal point; the camera needs a direction");
+  }
+  double right[3];
+  vtkMath::Cross(direction, up, right);
+  if (vtkMath::Normalize(up) == 0.0 || vtkMath::Norm(right) < 1e-9 * vtkMath::Norm(up))
+  {
+    throw RenderError("--view-up: must not be 0,0,0 or the direction in which the camera looks");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +185,7 @@ void SetUpCamera(
   camera->SetPosition(options.CameraPosition.value_or(axes.ToWorld(position)).data());
   camera->SetFocalPoint(options.FocalPoint.value_or(axes.ToWorld(middle)).data());
   camera->SetViewUp(options.ViewUp.value_or(view.Up).data());
+  CheckOrientation(camera);
   if (options.ParallelScale > 0.0)
   {
     camera->ParallelProjectionOn();
