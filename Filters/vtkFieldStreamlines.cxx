@@ -14,12 +14,14 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamTracer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,9 @@ namespace
 // thread.
 constexpr vtkIdType MinimumBatch = 16;
 
+// Radius, as a part of the bounding box's diagonal, of what the eye takes for one place.
+constexpr double CurlFraction = 1.0 / 500.0;
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SelectSeeds(vtkPoints* seeds, vtkIdType begin, vtkIdType end)
 {
@@ -45,13 +50,46 @@ vtkSmartPointer<vtkPolyData> SelectSeeds(vtkPoints* seeds, vtkIdType begin, vtkI
 }
 
 //------------------------------------------------------------------------------
+// Cut a line that ends by going round and round in a ball of that radius where it enters the ball;
+// nothing is left of a line that never leaves it.
+void CutCurledEnd(std::vector<vtkIdType>& line, vtkPoints* points, double radius)
+{
+  if (line.empty())
+  {
+    return;
+  }
+  double end[3];
+  double previous[3];
+  points->GetPoint(line.back(), end);
+  std::copy(end, end + 3, previous);
+  double lengthInside = 0.0;
+  std::size_t entry = line.size();
+  for (; entry > 0; --entry)
+  {
+    double point[3];
+    points->GetPoint(line[entry - 1], point);
+    if (vtkMath::Distance2BetweenPoints(point, end) > radius * radius)
+    {
+      break;
+    }
+    lengthInside += std::sqrt(vtkMath::Distance2BetweenPoints(point, previous));
+    std::copy(point, point + 3, previous);
+  }
+  if (lengthInside > 4.0 * radius)
+  {
+    line.resize(entry > 0 ? entry + 1 : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
 // The traces of a batch in one direction, looked up by seed.
 class Traces
 {
 public:
-  Traces(vtkPolyData* lines, vtkIdType seedCount)
+  Traces(vtkPolyData* lines, vtkIdType seedCount, double curlRadius)
     : Data(lines)
     , LineOfSeed(seedCount, -1)
+    , CurlRadius(curlRadius)
   {
     // In VTK 9.2 the tracer's threads compete for the arrays' number of tuples, though not for the
     // values, which are all there.
@@ -79,7 +117,9 @@ public:
     {
       this->Data->GetLines()->GetCellAtId(this->LineOfSeed[seed], count, points);
     }
-    return std::vector<vtkIdType>(points, points + count);
+    std::vector<vtkIdType> line(points, points + count);
+    CutCurledEnd(line, this->Data->GetPoints(), this->CurlRadius);
+    return line;
   }
 
   int GetReason(vtkIdType seed) const
@@ -94,6 +134,7 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> Data;
   std::vector<vtkIdType> LineOfSeed;
+  double CurlRadius;
 };
 
 //------------------------------------------------------------------------------
@@ -266,7 +307,7 @@ void vtkFieldStreamlines::Trace(vtkFieldVectors& field, vtkPoints* seeds, vtkPol
       tracer->Update();
       lines->ShallowCopy(tracer->GetOutput());
     }
-    return Traces(lines, batch->GetNumberOfPoints());
+    return Traces(lines, batch->GetNumberOfPoints(), CurlFraction * diagonal);
   };
 
   LineCollector lines(output);

@@ -25,6 +25,10 @@
  * vector with a NaN or infinite component belong to the outside of the domain. Cells of two
  * dimensions keep their lines on the surface.
  *
+ * A line that ends by circling a point, within 1/500 of the bounding box's diagonal of it and over
+ * more than 4 times that length, is cut where it begins to: the rest would show as one dot of
+ * thousands of layers.
+ *
  * Errors: no vectors (the message names the arrays that exist). Warnings: no seed inside the
  * domain, no line of two points (a field that is zero at every seed); both leave an empty output.
  * Progress is reported, and an abort obeyed, at about every hundredth of the seeds.

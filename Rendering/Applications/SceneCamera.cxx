@@ -3,6 +3,7 @@
 
 #include "SceneCamera.h"
 
+#include "RenderError.h"
 #include "RenderScene.h"
 
 #include "vtkBoundingBox.h"
@@ -136,6 +137,23 @@ Vector3 FitPosition(const Scene& scene, const PictureAxes& axes, const double ta
     0.5 * (reach[1][0] + reach[1][1]) / tangents[1]);
   return camera;
 }
+
+//------------------------------------------------------------------------------
+void CheckOrientation(const Vector3& position, const Vector3& focalPoint, const Vector3& up)
+{
+  Vector3 direction;
+  vtkMath::Subtract(focalPoint, position, direction);
+  if (vtkMath::Normalize(direction.data()) == 0.0)
+  {
+    throw RenderError("--camera-position: is the focal point; the camera needs a direction");
+  }
+  Vector3 right;
+  vtkMath::Cross(direction.data(), up.data(), right.data());
+  if (vtkMath::Norm(right.data()) <= 1e-9 * vtkMath::Norm(up.data()))
+  {
+    throw RenderError("--view-up: must not be 0,0,0 or the direction in which the camera looks");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -160,9 +178,13 @@ void SetUpCamera(
   middle[0] = position[0];
   middle[1] = position[1];
 
-  camera->SetPosition(options.CameraPosition.value_or(axes.ToWorld(position)).data());
-  camera->SetFocalPoint(options.FocalPoint.value_or(axes.ToWorld(middle)).data());
-  camera->SetViewUp(options.ViewUp.value_or(view.Up).data());
+  position = options.CameraPosition.value_or(axes.ToWorld(position));
+  focalPoint = options.FocalPoint.value_or(axes.ToWorld(middle));
+  const Vector3 up = options.ViewUp.value_or(view.Up);
+  CheckOrientation(position, focalPoint, up);
+  camera->SetPosition(position.data());
+  camera->SetFocalPoint(focalPoint.data());
+  camera->SetViewUp(up.data());
   if (options.ParallelScale > 0.0)
   {
     camera->ParallelProjectionOn();

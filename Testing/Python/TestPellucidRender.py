@@ -1,0 +1,529 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of pellucid-render: every option's effect on the picture, every refusal.
+
+The program is the one that the environment variable PELLUCID_RENDER names; the samples are those of
+the source tree.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+    vtkTable,
+)
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter, vtkTableWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataWriter,
+)
+
+PROGRAM = os.environ["PELLUCID_RENDER"]
+DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
+BACKGROUND = (0, 0, 0)
+FRONT = ("--camera-position", "0,0,10", "--focal-point", "0,0,0", "--view-up", "0,1,0")
+NEAR = ("--camera-position", "0,0,4", "--focal-point", "0,0,0", "--view-up", "0,1,0")
+KEYS = [
+    "input_points",
+    "input_lines",
+    "fragments",
+    "longest_list",
+    "buffer_bytes",
+    "tiles",
+    "stages",
+    "renderer",
+    "opengl",
+]
+
+
+def write(writer, data, path, **properties):
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
+    for name, value in properties.items():
+        getattr(writer, "Set" + name)(value)
+    writer.Write()
+
+
+def read_picture(path):
+    """Rows from the top, columns, components."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+    return pixels.reshape(height, width, -1)[::-1].astype(int)
+
+
+def make_lines():
+    """A horizontal and, behind it, a vertical line in the plane of the picture."""
+    lines = vtkPolyData()
+    points = vtkPoints()
+    for point in ((-1, 0, 0.2), (1, 0, 0.2), (0, -1, -0.2), (0, 1, -0.2)):
+        points.InsertNextPoint(point)
+    cells = vtkCellArray()
+    for first in (0, 2):
+        cells.InsertNextCell(2)
+        cells.InsertCellPoint(first)
+        cells.InsertCellPoint(first + 1)
+    lines.SetPoints(points)
+    lines.SetLines(cells)
+    for data, name, values in (
+        (lines.GetPointData(), "Height", (0, 0, 1, 1)),
+        (lines.GetPointData(), "Constant", (1, 1, 1, 1)),
+        (lines.GetCellData(), "Line", (0, 1)),
+    ):
+        array = vtkFloatArray()
+        array.SetName(name)
+        for value in values:
+            array.InsertNextValue(value)
+        data.AddArray(array)
+    return lines
+
+
+class RenderTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.lines = cls.folder / "lines.vtk"
+        write(vtkPolyDataWriter(), make_lines(), cls.lines, FileType=2)
+        source = vtkSphereSource()
+        source.SetRadius(0.6)
+        source.Update()
+        cls.sphere = source.GetOutput()
+
+    def run_program(self, *arguments, environment=None):
+        return subprocess.run(
+            [PROGRAM, *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env={**os.environ, **(environment or {})},
+        )
+
+    def render(self, *arguments, environment=None):
+        """The picture and the statistics; the run must be silent but for progress."""
+        picture = self.folder / "picture.png"
+        statistics = self.folder / "statistics.json"
+        picture.unlink(missing_ok=True)
+        result = self.run_program(
+            *arguments, "-o", picture, "--statistics", statistics, environment=environment)
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        for line in result.stderr.splitlines():
+            self.assertRegex(line, r"^(Tracing streamlines|Reading .*|Drawing): \d+ %$")
+        return read_picture(picture), json.loads(statistics.read_text())
+
+    def draw_lines(self, *arguments):
+        """From the front, where arguments do not say otherwise."""
+        view = () if "--camera-position" in arguments else NEAR
+        return self.render(self.lines, "--size", "120x90", "--background", "0,0,0", *view,
+                           *arguments)[0]
+
+    def refuse(self, code, text, *arguments, environment=None, output=None):
+        """One line on the error stream that holds the text, and no picture."""
+        picture = pathlib.Path(output or self.folder / "refused.png")
+        if not output:
+            picture.unlink(missing_ok=True)
+        result = self.run_program(*arguments, "-o", picture, environment=environment)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        self.assertTrue(result.stderr.startswith("pellucid-render: "), result.stderr)
+        self.assertIn(text, result.stderr)
+        self.assertFalse(picture.exists())
+
+
+class TestPicture(RenderTest):
+    def test_help_and_version(self):
+        result = self.run_program("--help")
+        self.assertEqual(result.returncode, 0)
+        for text in ("Picture", "Camera", "Streamlines", "Examples", "--memory-limit"):
+            self.assertIn(text, result.stdout)
+        result = self.run_program("--version")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stdout, r"^pellucid-render \d+\.\d+\.\d+\n$")
+
+    def test_size(self):
+        for width, height in ((1, 1), (31, 17), (200, 100)):
+            picture, _ = self.render(self.lines, "--size", f"{width}x{height}")
+            self.assertEqual(picture.shape, (height, width, 3))
+
+    def test_background(self):
+        picture, _ = self.render(self.lines, "--size", "60x60", "--background", "1,0.5,0")
+        self.assertEqual(tuple(picture[0, 0]), (255, 128, 0))
+
+    def test_transparent_background(self):
+        picture, _ = self.render(
+            self.lines, "--size", "60x60", "--transparent-background", "--opacity", "0.5")
+        self.assertEqual(picture.shape, (60, 60, 4))
+        self.assertEqual(tuple(picture[0, 0]), (0, 0, 0, 0))
+        alphas = set(picture[:, :, 3].flat)
+        self.assertTrue({127, 128} & alphas, alphas)
+        opaque, _ = self.render(self.lines, "--size", "60x60", "--background", "0,0,0",
+                                "--opacity", "1")
+        covered = (picture[:, :, 3] == 127) | (picture[:, :, 3] == 128)
+        difference = abs(picture[:, :, :3] - opaque)[covered]
+        self.assertLessEqual(difference.max(), 3)
+
+    def test_color_by(self):
+        by_height = self.draw_lines("--color-by", "Height", "--radius", "0.1", "--opacity", "1")
+        row = by_height[45]
+        self.assertGreater(row[30][2], row[30][0])  # cool
+        column = by_height[:, 60]
+        self.assertGreater(column[20][0], column[20][2])  # warm
+        by_line = self.draw_lines("--color-by", "Line", "--radius", "0.1", "--opacity", "1")
+        self.assertTrue(numpy.array_equal(by_height, by_line))
+        constant = self.draw_lines("--color-by", "Constant", "--radius", "0.05")
+        self.assertFalse(numpy.array_equal(by_height, constant))
+
+    def test_opacity_blends_in_depth_order(self):
+        options = ("--radius", "0.1", "--lighting", "off")
+        opaque = self.draw_lines("--opacity", "1", *options)
+        front, back = opaque[45, 30], opaque[20, 60]
+        for opacity in (0.1, 0.5, 0.9):
+            crossing = self.draw_lines("--opacity", opacity, *options)[45, 60]
+            expected = opacity * front + (1 - opacity) * opacity * back
+            self.assertLessEqual(abs(crossing - expected).max(), 1)
+
+    def test_opaque_picture_costs_no_stage(self):
+        _, statistics = self.render(self.lines, "--size", "50x50", "--opacity", "1")
+        self.assertEqual(statistics["fragments"], 0)
+        self.assertEqual(statistics["stages"], {})
+
+    def test_radius(self):
+        covered = [
+            (self.draw_lines("--radius", radius) != BACKGROUND).any(axis=2).sum()
+            for radius in (0, 0.02, 0.1)
+        ]
+        self.assertGreater(covered[0], 100)
+        self.assertGreater(covered[2], 3 * covered[1])
+
+    def test_lighting(self):
+        shaded = self.draw_lines("--radius", "0.2", "--opacity", "1", "--lighting", "on")
+        flat = self.draw_lines("--radius", "0.2", "--opacity", "1", "--lighting", "off")
+        self.assertGreater(len(set(map(tuple, shaded[:, 20]))), 5)
+        self.assertEqual(len(set(map(tuple, flat[:, 20]))), 2)
+        self.assertTrue(numpy.array_equal(
+            shaded, self.draw_lines("--radius", "0.2", "--opacity", "1")))
+
+    def test_camera(self):
+        view = (*FRONT, "--radius", "0.1", "--opacity", "1")
+        upright = self.draw_lines(*view)
+        self.assertTrue((upright[45, 60] != BACKGROUND).any())
+        turned = self.draw_lines(*view[:4], "--view-up", "1,0,0", *view[6:])
+        self.assertFalse(numpy.array_equal(upright, turned))
+        aside = self.draw_lines(*view[:2], "--focal-point", "100,0,0", *view[4:])
+        self.assertFalse((aside != BACKGROUND).any())
+
+    def test_parallel_scale(self):
+        view = (*FRONT, "--radius", "0.1", "--opacity", "1")
+        for scale, half_height in ((1, 45), (2, 22.5), (4, 11.25)):
+            picture = self.draw_lines(*view, "--parallel-scale", scale)
+            rows = numpy.nonzero((picture != BACKGROUND).any(axis=(1, 2)))[0]
+            self.assertAlmostEqual(len(rows) / 2, half_height, delta=2.5)
+        self.assertTrue(numpy.array_equal(
+            self.draw_lines(*view), self.draw_lines(*view, "--parallel-scale", "0")))
+
+    def test_default_camera_fills_picture(self):
+        for size in ("120x90", "60x120"):
+            picture, _ = self.render(DATA / "combustor-lines.vtk", "--size", size,
+                                     "--background", "0,0,0", "--opacity", "1")
+            covered = (picture != BACKGROUND).any(axis=2)
+            rows = numpy.nonzero(covered.any(axis=1))[0]
+            columns = numpy.nonzero(covered.any(axis=0))[0]
+            share = max(numpy.ptp(rows) / picture.shape[0], numpy.ptp(columns) / picture.shape[1])
+            self.assertGreater(share, 0.85)
+            self.assertLess(share, 0.99)
+
+    def test_formats_of_pictures(self):
+        for suffix, magic in ((".jpg", b"\xff\xd8"), (".tiff", b"II*"), (".bmp", b"BM")):
+            path = self.folder / ("picture" + suffix)
+            result = self.run_program(self.lines, "-o", path, "--size", "40x30")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertTrue(path.read_bytes().startswith(magic))
+
+    def test_memory_limit_keeps_the_picture(self):
+        options = (DATA / "combustor-lines.vtk", "--size", "500x400", "--opacity", "0.2",
+                   "--radius", "0.25")
+        free, statistics = self.render(*options)
+        self.assertEqual(statistics["tiles"], 1)
+        bound, statistics = self.render(*options, "--memory-limit", "1")
+        self.assertGreater(statistics["tiles"], 1)
+        self.assertTrue(numpy.array_equal(free, bound))
+
+    def test_statistics(self):
+        _, statistics = self.render(self.lines, "--size", "100x100", "--radius", "0.1")
+        self.assertEqual(list(statistics), KEYS)
+        self.assertEqual(statistics["input_points"], 4)
+        self.assertEqual(statistics["input_lines"], 2)
+        self.assertGreater(statistics["fragments"], 100)
+        self.assertEqual(statistics["longest_list"], 2)
+        self.assertGreater(statistics["buffer_bytes"], 0)
+        for stage in ("gather", "sort", "resolve"):
+            self.assertGreater(statistics["stages"][stage], 0)
+        self.assertTrue(statistics["renderer"])
+        self.assertRegex(statistics["opengl"], r"^\d+\.\d+")
+
+    def test_methods(self):
+        pictures = {}
+        for method in ("pellucid", "vtk", "vtk-peeling"):
+            pictures[method], statistics = self.render(
+                self.lines, "--size", "120x90", "--method", method, "--radius", "0.05",
+                "--lighting", "off")
+            self.assertEqual(list(statistics), KEYS)
+            self.assertEqual(statistics["input_lines"], 2)
+            if method != "pellucid":
+                self.assertEqual(statistics["fragments"], 0)
+                self.assertGreater(statistics["stages"]["render"], 0)
+        self.assertFalse(numpy.array_equal(pictures["vtk"], pictures["pellucid"]))
+
+    def test_compare(self):
+        options = ("--radius", "0.05", "--background", "0,0,0")
+        picture, _ = self.render(self.lines, "--size", "240x90", "--compare", *options)
+        self.assertEqual(picture.shape, (90, 240, 3))
+        left, right = picture[:, :120], picture[:, 120:]
+        alone, _ = self.render(self.lines, "--size", "120x90", *options)
+        stock, _ = self.render(self.lines, "--size", "120x90", "--method", "vtk", *options)
+        lower = slice(30, None)  # below the titles
+        self.assertTrue(numpy.array_equal(left[lower], alone[lower]))
+        self.assertLessEqual(abs(right[lower] - stock[lower]).max(), 1)
+        for half in (left, right):
+            self.assertTrue((half[:20, :40] != BACKGROUND).any())
+
+    def test_reference(self):
+        options = (DATA / "combustor-lines.vtk", "--size", "160x120")
+        picture, statistics = self.render(*options)
+        exact, reference = self.render(*options, "--reference", environment={"DISPLAY": ""})
+        difference = abs(picture - exact).max(axis=2)
+        self.assertLess((difference > 1).mean(), 0.002)
+        self.assertAlmostEqual(
+            reference["fragments"] / statistics["fragments"], 1, delta=0.002)
+        self.assertEqual(reference["opengl"], "")
+
+    def test_same_bits(self):
+        options = (DATA / "combustor.vtk", "--seeds", "50", "--size", "160x120")
+        self.assertTrue(numpy.array_equal(self.render(*options)[0], self.render(*options)[0]))
+
+
+class TestInputs(RenderTest):
+    def test_formats(self):
+        sphere = self.sphere
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, sphere)
+        blocks.SetBlock(1, make_lines())
+        for name, writer, data in (
+            ("a.vtp", vtkXMLPolyDataWriter(), sphere),
+            ("a.ply", vtkPLYWriter(), sphere),
+            ("a.stl", vtkSTLWriter(), sphere),
+            ("a.obj", vtkOBJWriter(), sphere),
+            ("a.vtm", vtkXMLMultiBlockDataWriter(), blocks),
+        ):
+            if name[-3:-1] == "vt":
+                writer.SetDataModeToBinary()
+            write(writer, data, self.folder / name)
+            picture, statistics = self.render(
+                self.folder / name, "--size", "60x60", "--background", "0,0,0")
+            self.assertTrue((picture != BACKGROUND).any())
+            self.assertGreater(statistics["input_points"], 10)
+
+    def test_several_inputs_make_one_scene(self):
+        write(vtkPLYWriter(), self.sphere, self.folder / "sphere.ply")
+        both, statistics = self.render(
+            self.lines, self.folder / "sphere.ply", "--size", "60x60", "--opacity", "0.5")
+        self.assertEqual(
+            statistics["input_points"], 4 + self.sphere.GetNumberOfPoints())
+        self.assertEqual(statistics["input_lines"], 2)
+        swapped, _ = self.render(
+            self.folder / "sphere.ply", self.lines, "--size", "60x60", "--opacity", "0.5",
+            "--color-by", "Height")
+        self.assertEqual(both.shape, swapped.shape)
+
+    def test_field_is_traced(self):
+        field = DATA / "combustor.vtk"
+        _, statistics = self.render(field, "--seeds", "40", "--size", "80x60")
+        self.assertGreater(statistics["input_lines"], 30)
+        self.assertLessEqual(statistics["input_lines"], 40)
+        _, more = self.render(field, "--seeds", "80", "--size", "80x60", "--vectors", "Velocity")
+        self.assertGreater(more["input_lines"], 60)
+        _, shorter = self.render(field, "--seeds", "40", "--size", "80x60",
+                                 "--maximum-length", "1")
+        self.assertLess(shorter["input_points"], statistics["input_points"] / 2)
+
+    def test_seeding(self):
+        pictures = []
+        for options in (("volume",), ("points",), ("grid",), ("line",),
+                        ("volume", "--seed-offset", "40"),
+                        ("line", "--seed-line-first", "8,-3,30", "--seed-line-last", "8,3,30")):
+            picture, statistics = self.render(
+                DATA / "combustor.vtk", "--size", "80x60", "--seeds", "40", "--seeding", *options)
+            self.assertGreater(statistics["input_lines"], 5, options)
+            pictures.append(picture.tobytes())
+        self.assertEqual(len(set(pictures)), len(pictures))
+
+    def test_input_refusals(self):
+        folder = self.folder
+        files = {
+            "empty.vtk": b"",
+            "unknown.foo": b"hello",
+            "noise.vtk": bytes(i * 7919 % 251 for i in range(3000)),
+            "noise.vtp": bytes(i * 7919 % 251 for i in range(3000)),
+            "noise.stl": bytes(i * 7919 % 251 for i in range(3000)),
+            "noise.ply": bytes(i * 7919 % 251 for i in range(3000)),
+            "huge.vtk": b"# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\n"
+                        b"POINTS 4000000000000 float\n",
+            "index.vtk": b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                         b"POINTS 2 float\n0 0 0 1 1 1\nLINES 1 4\n3 0 1 99999999\n",
+            "nocells.vtk": b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                           b"POINTS 2 float\n0 0 0 1 1 1\n",
+            "lonelyxyz.bin": b"\0" * 100,
+            "brokenxyz.bin": b"\1" * 1000,
+            "brokenq.bin": b"\1" * 1000,
+        }
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        write(vtkPolyDataWriter(), vtkPolyData(), folder / "nothing.vtk")
+        write(vtkTableWriter(), vtkTable(), folder / "table.vtk")
+        for name, text in (
+            ("missing.vtk", "there is no such file"),
+            ("", "is a folder"),
+            ("empty.vtk", "the file is empty"),
+            ("unknown.foo", "is of no known kind; known are .vtk"),
+            ("noise.vtk", "damaged"),
+            ("noise.vtp", "damaged"),
+            ("noise.stl", "damaged"),
+            ("noise.ply", "damaged"),
+            ("huge.vtk", "damaged"),
+            ("index.vtk", "refers to point 99999999 of 2"),
+            ("nocells.vtk", "no cell"),
+            ("nothing.vtk", "it holds no points"),
+            ("table.vtk", "holds a vtkTable"),
+            ("lonelyxyz.bin", "lonelyq.bin"),
+            ("brokenxyz.bin", "damaged"),
+        ):
+            with self.subTest(name=name):
+                self.refuse(1, text, folder / name)
+
+    def test_truncated_inputs(self):
+        for suffix, writer, properties in (
+            ("vtk", vtkPolyDataWriter(), {"FileType": 2}),
+            ("vtp", vtkXMLPolyDataWriter(), {"DataMode": 1}),
+            ("ply", vtkPLYWriter(), {}),
+            ("stl", vtkSTLWriter(), {"FileType": 2}),
+            ("obj", vtkOBJWriter(), {}),
+        ):
+            whole = self.folder / ("whole." + suffix)
+            write(writer, self.sphere, whole, **properties)
+            content = whole.read_bytes()
+            for length in (len(content) * 6 // 10, len(content) - 7):
+                with self.subTest(suffix=suffix, length=length):
+                    cut = self.folder / ("cut." + suffix)
+                    cut.write_bytes(content[:length])
+                    self.refuse(1, "cut." + suffix, cut)
+
+    def test_field_refusals(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        scalars = vtkFloatArray()
+        scalars.SetName("Pressure")
+        scalars.SetNumberOfTuples(27)
+        scalars.Fill(1)
+        image.GetPointData().AddArray(scalars)
+        write(vtkXMLImageDataWriter(), image, self.folder / "scalars.vti", DataMode=1)
+        self.refuse(1, "Pressure (points, 1)", self.folder / "scalars.vti")
+        vectors = vtkFloatArray()
+        vectors.SetName("Calm")
+        vectors.SetNumberOfComponents(3)
+        vectors.SetNumberOfTuples(27)
+        vectors.Fill(0)
+        image.GetPointData().AddArray(vectors)
+        write(vtkStructuredPointsWriter(), image, self.folder / "calm.vtk")
+        self.refuse(1, "is zero at all", self.folder / "calm.vtk")
+        self.refuse(1, "Velocity (points, 3)", DATA / "combustor.vtk", "--vectors", "Wind")
+
+    def test_unknown_array_names_those_that_exist(self):
+        self.refuse(1, "Constant (points), Height (points), Line (cells)",
+                    self.lines, "--color-by", "Temperature")
+
+
+class TestUsage(RenderTest):
+    def test_wrong_usage(self):
+        for text, *arguments in (
+            ("--size", "--size", "0x0"),
+            ("--size", "--size", "100"),
+            ("--size", "--size", "10x10x10"),
+            ("--size", "--size", "70000x10"),
+            ("--size", "--size", "nanxnan"),
+            ("--background", "--background", "1,2,3"),
+            ("--background", "--background", "1,1"),
+            ("--opacity", "--opacity", "nan"),
+            ("--opacity", "--opacity", "1.5"),
+            ("--radius", "--radius", "-1"),
+            ("--radius", "--radius", "inf"),
+            ("--lighting", "--lighting", "maybe"),
+            ("--camera-position", "--camera-position", "1,2"),
+            ("--focal-point", "--focal-point", "a,b,c"),
+            ("--parallel-scale", "--parallel-scale", "-1"),
+            ("--memory-limit", "--memory-limit", "0"),
+            ("--seeds", "--seeds", "0"),
+            ("--seeds", "--seeds", "1.5"),
+            ("--seeding", "--seeding", "everywhere"),
+            ("--method", "--method", "magic"),
+            ("--bogus", "--bogus"),
+            ("--compare", "--compare", "--reference"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.refuse(2, text, self.lines, *arguments)
+        result = self.run_program(self.lines)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--output", result.stderr)
+        self.refuse(2, "input")
+        self.refuse(2, ".png", self.lines, output=self.folder / "picture.xyz")
+
+    def test_camera_without_direction(self):
+        self.refuse(1, "--camera-position", self.lines, "--camera-position", "1,1,1",
+                    "--focal-point", "1,1,1")
+        self.refuse(1, "--view-up", self.lines, "--view-up", "0,0,0")
+        self.refuse(1, "--view-up", self.lines, "--camera-position", "0,0,5",
+                    "--focal-point", "0,0,0", "--view-up", "0,0,1")
+
+    def test_unwritable_outputs(self):
+        self.refuse(1, "cannot be written", self.lines, output="/nonexistent/picture.png")
+        self.refuse(1, "cannot be written", self.lines, "--statistics", "/nonexistent/s.json")
+
+    def test_picture_beyond_opengl(self):
+        self.refuse(1, "at most", self.lines, "--size", "60000x2")
+
+    def test_old_opengl(self):
+        old = {"MESA_GL_VERSION_OVERRIDE": "3.3"}
+        self.refuse(1, "needs OpenGL 4.3", self.lines, environment=old)
+        picture, _ = self.render(
+            self.lines, "--size", "50x50", "--method", "vtk", "--background", "0,0,0",
+            environment=old)
+        self.assertTrue((picture != BACKGROUND).any())
+
+    def test_no_display(self):
+        if os.environ.get("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow").startswith("vtkX"):
+            self.refuse(1, "no OpenGL window", self.lines, environment={"DISPLAY": ""})
+
+
+if __name__ == "__main__":
+    unittest.main()
