@@ -6,9 +6,8 @@
 #include "SceneCamera.h"
 
 #include "vtkActor.h"
-#include "vtkCompositePolyDataMapper2.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTrajectoryMapper.h"
 #include "vtkTubeFilter.h"
@@ -32,36 +31,27 @@ void AddActor(vtkRenderer* renderer, vtkMapper* mapper, const RenderOptions& opt
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkTrajectoryMapper> MakeTrajectoryMapper(
-  const Drawable& drawable, const RenderOptions& options)
+// Stock VTK: the lines of a part as tubes, and everything else as it is.
+void AddStockActors(vtkRenderer* renderer, vtkPolyData* part, double radius,
+  const Drawable& drawable, const Coloring& colors, const RenderOptions& options)
 {
-  auto mapper = vtkSmartPointer<vtkTrajectoryMapper>::New();
-  mapper->SetInputDataObject(drawable.Data);
-  mapper->SetRadius(options.Radius);
-  return mapper;
-}
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(part);
+  tubes->SetRadius(radius);
+  tubes->SetNumberOfSides(TubeSides);
+  tubes->CappingOn();
+  tubes->Update();
+  vtkNew<vtkPolyData> others;
+  others->ShallowCopy(part);
+  others->SetLines(nullptr);
 
-//------------------------------------------------------------------------------
-// Stock VTK: the lines as tubes, everything else as it is.
-vtkSmartPointer<vtkMultiBlockDataSet> Tessellate(const Drawable& drawable, double radius)
-{
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (vtkPolyData* leaf : drawable.GetLeaves())
+  for (vtkPolyData* geometry : { tubes->GetOutput(), others.Get() })
   {
-    vtkNew<vtkTubeFilter> tubes;
-    tubes->SetInputData(leaf);
-    tubes->SetRadius(radius);
-    tubes->SetNumberOfSides(TubeSides);
-    tubes->CappingOn();
-    tubes->Update();
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), tubes->GetOutput());
-
-    vtkNew<vtkPolyData> others;
-    others->ShallowCopy(leaf);
-    others->SetLines(nullptr);
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), others);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(geometry);
+    colors.Apply(mapper, drawable);
+    AddActor(renderer, mapper, options);
   }
-  return blocks;
 }
 }
 
@@ -97,15 +87,19 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   for (const Drawable& drawable : scene.Drawables)
   {
-    vtkSmartPointer<vtkMapper> mapper = MakeTrajectoryMapper(drawable, options);
-    if (method != Method::Pellucid)
+    vtkNew<vtkTrajectoryMapper> mapper;
+    mapper->SetInputDataObject(drawable.Data);
+    mapper->SetRadius(options.Radius);
+    if (method == Method::Pellucid)
     {
-      const double radius = vtkTrajectoryMapper::SafeDownCast(mapper)->GetEffectiveRadius();
-      mapper = vtkSmartPointer<vtkCompositePolyDataMapper2>::New();
-      mapper->SetInputDataObject(Tessellate(drawable, radius));
+      scene.Colors.Apply(mapper, drawable);
+      AddActor(renderer, mapper, options);
+      continue;
     }
-    scene.Colors.Apply(mapper, drawable);
-    AddActor(renderer, mapper, options);
+    for (vtkPolyData* part : drawable.GetLeaves())
+    {
+      AddStockActors(renderer, part, mapper->GetEffectiveRadius(), drawable, scene.Colors, options);
+    }
   }
   renderer->SetBackground(options.Background.data());
   if (options.TransparentBackground)

@@ -139,21 +139,17 @@ Vector3 FitPosition(const Scene& scene, const PictureAxes& axes, const double ta
 }
 
 //------------------------------------------------------------------------------
-void CheckOrientation(vtkCamera* camera)
+void CheckOrientation(const Vector3& position, const Vector3& focalPoint, const Vector3& up)
 {
-  const double* position = camera->GetPosition();
-  const double* focalPoint = camera->GetFocalPoint();
-  double direction[3] = { 0.0, 0.0, 0.0 };
+  Vector3 direction;
   vtkMath::Subtract(focalPoint, position, direction);
-  double up[3];
-  camera->GetViewUp(up);
-  if (vtkMath::Normalize(direction) == 0.0)
+  if (vtkMath::Normalize(direction.data()) == 0.0)
   {
     throw RenderError("--camera-position: is the focal point; the camera needs a direction");
   }
-  double right[3];
-  vtkMath::Cross(direction, up, right);
-  if (vtkMath::Normalize(up) == 0.0 || vtkMath::Norm(right) < 1e-9 * vtkMath::Norm(up))
+  Vector3 right;
+  vtkMath::Cross(direction.data(), up.data(), right.data());
+  if (vtkMath::Norm(right.data()) <= 1e-9 * vtkMath::Norm(up.data()))
   {
     throw RenderError("--view-up: must not be 0,0,0 or the direction in which the camera looks");
   }
@@ -182,10 +178,13 @@ void SetUpCamera(
   middle[0] = position[0];
   middle[1] = position[1];
 
-  camera->SetPosition(options.CameraPosition.value_or(axes.ToWorld(position)).data());
-  camera->SetFocalPoint(options.FocalPoint.value_or(axes.ToWorld(middle)).data());
-  camera->SetViewUp(options.ViewUp.value_or(view.Up).data());
-  CheckOrientation(camera);
+  position = options.CameraPosition.value_or(axes.ToWorld(position));
+  focalPoint = options.FocalPoint.value_or(axes.ToWorld(middle));
+  const Vector3 up = options.ViewUp.value_or(view.Up);
+  CheckOrientation(position, focalPoint, up);
+  camera->SetPosition(position.data());
+  camera->SetFocalPoint(focalPoint.data());
+  camera->SetViewUp(up.data());
   if (options.ParallelScale > 0.0)
   {
     camera->ParallelProjectionOn();
