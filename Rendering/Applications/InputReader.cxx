@@ -6,6 +6,7 @@
 #include "InputChecks.h"
 #include "MessageLog.h"
 #include "Plot3DFiles.h"
+#include "PlyLength.h"
 #include "ProgressLine.h"
 #include "ReaderGuard.h"
 #include "RenderError.h"
@@ -97,6 +98,10 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& fileName)
   if (maker->first == ".stl")
   {
     CheckStlLength(fileName);
+  }
+  if (maker->first == ".ply")
+  {
+    CheckPlyLength(fileName);
   }
   return RunReader(maker->second(fileName), fileName);
 }

@@ -427,6 +427,7 @@ class TestInputs(RenderTest):
             ("vtk", vtkPolyDataWriter(), {"FileType": 2}),
             ("vtp", vtkXMLPolyDataWriter(), {"DataMode": 1}),
             ("ply", vtkPLYWriter(), {}),
+            ("ply", vtkPLYWriter(), {"FileType": 1}),
             ("stl", vtkSTLWriter(), {"FileType": 2}),
             ("obj", vtkOBJWriter(), {}),
         ):
