@@ -81,6 +81,7 @@ vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string
   {
     throw RenderError(failure);
   }
+  log.PrintWarnings();
   return data;
 }
 

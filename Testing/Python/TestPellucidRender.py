@@ -460,6 +460,19 @@ class TestInputs(RenderTest):
         self.refuse(1, "is zero at all", self.folder / "calm.vtk")
         self.refuse(1, "Velocity (points, 3)", DATA / "combustor.vtk", "--vectors", "Wind")
 
+    def test_points_that_are_not_finite_are_told(self):
+        lines = make_lines()
+        lines.GetPoints().SetPoint(0, float("nan"), 0, 0)
+        write(vtkPolyDataWriter(), lines, self.folder / "nan.vtk", FileType=2)
+        for renderer in ((), ("--reference",)):
+            picture = self.folder / "nan.png"
+            result = self.run_program(
+                self.folder / "nan.vtk", "-o", picture, "--size", "50x50", *renderer)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertTrue(result.stderr)
+            for line in result.stderr.splitlines():
+                self.assertRegex(line, "^pellucid-render: warning: .*finite")
+
     def test_unknown_array_names_those_that_exist(self):
         self.refuse(1, "Constant (points), Height (points), Line (cells)",
                     self.lines, "--color-by", "Temperature")
