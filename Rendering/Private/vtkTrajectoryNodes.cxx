@@ -108,7 +108,7 @@ public:
     }
     const double density = this->Length / diagonal;
     const double radius =
-      diagonal * std::clamp(0.007 / std::pow(density, 0.25), thinnest, thickest);
+      diagonal * std::clamp(0.008 / std::cbrt(density), thinnest, thickest);
     const double meanLength = this->Length / static_cast<double>(this->Lines);
     return std::max(std::min(radius, 0.05 * meanLength), thinnest * diagonal);
   }
