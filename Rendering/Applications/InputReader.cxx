@@ -13,7 +13,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockPLOT3DReader.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
