@@ -13,7 +13,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockPLOT3DReader.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -81,6 +80,7 @@ vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string
   {
     throw RenderError(failure);
   }
+  log.PrintWarnings();
   return data;
 }
 
