@@ -32,7 +32,10 @@ struct FrameStatistics
   void Take(vtkTransparencyStatistics* statistics);
 };
 
-/** Write JSON with the keys that README lists; throw RenderError when that fails. */
+/**
+ * Write JSON with the keys input_points, input_lines, fragments, longest_list, buffer_bytes, tiles,
+ * stages (an object: name to milliseconds), renderer and opengl; throw RenderError when that fails.
+ */
 void WriteStatistics(const FrameStatistics& statistics, const std::string& fileName);
 }
 

@@ -6,13 +6,13 @@
 #include "InputChecks.h"
 #include "MessageLog.h"
 #include "Plot3DFiles.h"
+#include "PlyLength.h"
 #include "ProgressLine.h"
 #include "ReaderGuard.h"
 #include "RenderError.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockPLOT3DReader.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -80,6 +80,7 @@ vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string
   {
     throw RenderError(failure);
   }
+  log.PrintWarnings();
   return data;
 }
 
@@ -97,6 +98,10 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& fileName)
   if (maker->first == ".stl")
   {
     CheckStlLength(fileName);
+  }
+  if (maker->first == ".ply")
+  {
+    CheckPlyLength(fileName);
   }
   return RunReader(maker->second(fileName), fileName);
 }

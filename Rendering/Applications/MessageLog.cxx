@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <iostream>
 #include <regex>
 
 namespace pellucid
@@ -84,6 +85,16 @@ std::string MessageLog::GetFirstError() const
 std::string MessageLog::GetFirstWarning() const
 {
   return this->Warnings.empty() ? std::string() : this->Warnings.front();
+}
+
+//------------------------------------------------------------------------------
+void MessageLog::PrintWarnings()
+{
+  for (const std::string& warning : this->Warnings)
+  {
+    std::cerr << "pellucid-render: warning: " << warning << "\n";
+  }
+  this->Clear();
 }
 
 //------------------------------------------------------------------------------

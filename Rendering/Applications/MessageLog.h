@@ -32,6 +32,10 @@ public:
   /** The same of the first warning. */
   std::string GetFirstWarning() const;
 
+  /** Print all warnings since Clear(), one line each, as what the user should know of; then clear.
+   */
+  void PrintWarnings();
+
   /**
    * Throw RenderError at every error while this is on. For the making of a window only: VTK
    * ends the process right after some errors there, such as a missing X server.

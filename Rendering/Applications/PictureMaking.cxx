@@ -3,6 +3,7 @@
 
 #include "PictureMaking.h"
 
+#include "MessageLog.h"
 #include "PictureWindow.h"
 #include "ProgressLine.h"
 
@@ -141,6 +142,7 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
   }
   const std::chrono::duration<double, std::milli> elapsed =
     std::chrono::steady_clock::now() - start;
+  MessageLog::GetInstance().PrintWarnings();
 
   Frame frame;
   frame.Picture = Quantize(reference->GetImage(), options.TransparentBackground ? 4 : 3);

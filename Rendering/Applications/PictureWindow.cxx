@@ -59,6 +59,8 @@ PictureWindow::PictureWindow(const std::array<int, 2>& size)
       std::to_string(size[1]));
   }
   window->SetSize(size[0], size[1]);
+  // VTK warns of every kind of window that it tried in vain.
+  MessageLog::GetInstance().Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -75,17 +77,17 @@ void PictureWindow::CheckExactTransparency()
 //------------------------------------------------------------------------------
 double PictureWindow::Render()
 {
-  MessageLog& log = MessageLog::GetInstance();
-  log.Clear();
   const auto start = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> elapsed =
     std::chrono::steady_clock::now() - start;
+  MessageLog& log = MessageLog::GetInstance();
   if (log.HasErrors())
   {
     throw RenderError("the picture cannot be drawn: " + log.GetFirstError());
   }
+  log.PrintWarnings();
   return elapsed.count();
 }
 

@@ -21,17 +21,19 @@ namespace
 constexpr int TubeSides = 8;
 
 //------------------------------------------------------------------------------
-void AddActor(vtkRenderer* renderer, vtkMapper* mapper, const RenderOptions& options)
+vtkProperty* AddActor(vtkRenderer* renderer, vtkMapper* mapper, const RenderOptions& options)
 {
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetOpacity(options.Opacity);
   actor->GetProperty()->SetLighting(options.Lighting);
   renderer->AddActor(actor);
+  return actor->GetProperty();
 }
 
 //------------------------------------------------------------------------------
-// Stock VTK: the lines of a part as tubes, and everything else as it is.
+// Stock VTK: the lines of a part as tubes, and everything else as it is. Of the tubes the inner
+// walls are left out, so that the layers are those of a vtkTrajectoryMapper.
 void AddStockActors(vtkRenderer* renderer, vtkPolyData* part, double radius,
   const Drawable& drawable, const Coloring& colors, const RenderOptions& options)
 {
@@ -50,7 +52,7 @@ void AddStockActors(vtkRenderer* renderer, vtkPolyData* part, double radius,
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(geometry);
     colors.Apply(mapper, drawable);
-    AddActor(renderer, mapper, options);
+    AddActor(renderer, mapper, options)->SetBackfaceCulling(geometry != others);
   }
 }
 }

@@ -22,7 +22,7 @@
  *
  * A rasteriser places vertices on a grid of 1/256 pixel and interpolates in single precision, so a
  * pixel whose centre lies that close to an edge may show either side of it, shaded with a normal
- * that is extrapolated beyond the edge. Such a pixel is explained when it shows, within 8 of 255,
+ * that is extrapolated beyond the edge. Such a pixel is explained when it shows, within 16 of 255,
  * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
  * silhouette pixel and not measured.
  */
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  static constexpr double SilhouetteTolerance = 8.0;
+  static constexpr double SilhouetteTolerance = 16.0;
 
   /// The reference's RGBA, with the view displaced by a part of a pixel.
   std::vector<double> RenderReference(double dx, double dy)

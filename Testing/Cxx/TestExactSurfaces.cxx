@@ -90,11 +90,11 @@ bool TestGlyphs()
 bool TestManyLayers()
 {
   bool passed = true;
-  for (const auto& [layers, opacity] :
-    { std::pair<int, double>{ 64, 0.05 }, { 1000, 1e-4 }, { 1000, 0.01 }, { 3000, 1e-3 } })
+  for (const auto& [layers, opacity] : { std::pair<int, double>{ 64, 0.05 }, { 1000, 1e-4 },
+         { 1000, 0.01 }, { 3000, 1e-3 }, { 100000, 1e-5 } })
   {
     const LayerStack stack(layers, opacity);
-    SphereScene scene(9, 7, 0, 0, 0);
+    SphereScene scene(3, 1, 0, 0, 0);
     scene.Renderer->AddActor(stack.MakeActor(5));
     LayerStack::SetCamera(scene.Renderer);
     passed &= Compare(scene, std::to_string(layers) + " layers");

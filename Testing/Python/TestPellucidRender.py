@@ -345,6 +345,28 @@ class TestInputs(RenderTest):
             self.assertTrue((picture != BACKGROUND).any())
             self.assertGreater(statistics["input_points"], 10)
 
+    def test_plot3d(self):
+        """A uniform flow along x on a grid of 9x5x5 points, in either byte order."""
+        x, y, z = numpy.meshgrid(*(numpy.linspace(0, 1, n) for n in (9, 5, 5)), indexing="ij")
+        zero, one = numpy.zeros_like(x), numpy.ones_like(x)
+        for order in "<>":
+            sizes = numpy.array((9, 5, 5), order + "i4").tobytes()
+            grid = self.folder / "flowxyz.bin"
+            solution = self.folder / "flowq.bin"
+            for path, header, fields in (
+                (grid, b"", (x, y, z)),
+                (solution, numpy.zeros(4, order + "f4").tobytes(), (2 * one, one, zero, zero, one)),
+            ):
+                path.write_bytes(sizes + header + b"".join(
+                    field.astype(order + "f4").tobytes("F") for field in fields))
+            (self.folder / "a.bin").write_bytes(grid.read_bytes())
+            (self.folder / "b.bin").write_bytes(solution.read_bytes())
+            for inputs in ((grid,), (solution,), (grid, solution), (solution, grid),
+                           (self.folder / "a.bin", self.folder / "b.bin")):
+                with self.subTest(order=order, inputs=inputs):
+                    _, statistics = self.render(*inputs, "--seeds", "20", "--size", "40x30")
+                    self.assertEqual(statistics["input_lines"], 20)
+
     def test_several_inputs_make_one_scene(self):
         write(vtkPLYWriter(), self.sphere, self.folder / "sphere.ply")
         both, statistics = self.render(
@@ -427,6 +449,7 @@ class TestInputs(RenderTest):
             ("vtk", vtkPolyDataWriter(), {"FileType": 2}),
             ("vtp", vtkXMLPolyDataWriter(), {"DataMode": 1}),
             ("ply", vtkPLYWriter(), {}),
+            ("ply", vtkPLYWriter(), {"FileType": 1}),
             ("stl", vtkSTLWriter(), {"FileType": 2}),
             ("obj", vtkOBJWriter(), {}),
         ):
@@ -458,6 +481,19 @@ class TestInputs(RenderTest):
         write(vtkStructuredPointsWriter(), image, self.folder / "calm.vtk")
         self.refuse(1, "is zero at all", self.folder / "calm.vtk")
         self.refuse(1, "Velocity (points, 3)", DATA / "combustor.vtk", "--vectors", "Wind")
+
+    def test_points_that_are_not_finite_are_told(self):
+        lines = make_lines()
+        lines.GetPoints().SetPoint(0, float("nan"), 0, 0)
+        write(vtkPolyDataWriter(), lines, self.folder / "nan.vtk", FileType=2)
+        for renderer in ((), ("--reference",)):
+            picture = self.folder / "nan.png"
+            result = self.run_program(
+                self.folder / "nan.vtk", "-o", picture, "--size", "50x50", *renderer)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertTrue(result.stderr)
+            for line in result.stderr.splitlines():
+                self.assertRegex(line, "^pellucid-render: warning: .*finite")
 
     def test_unknown_array_names_those_that_exist(self):
         self.refuse(1, "Constant (points), Height (points), Line (cells)",

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Translucent trajectories, alone and among surfaces, glyphs and opaque objects, are drawn as the
+// double-precision reference draws them, with the same bits on every run and in any order.
+#include "OpenGLDebugOutput.h"
+#include "ReferenceComparison.h"
+#include "SphereScene.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTrajectoryMapper.h"
+#include "vtkTransparencyInstaller.h"
+
+#include <numeric>
+#include <random>
+
+namespace
+{
+/** Helices about tilted axes, coloured along the line, and a ball for every line's first point. */
+vtkSmartPointer<vtkPolyData> MakeLines(int lines, int pointsPerLine, unsigned int shuffleSeed)
+{
+  std::vector<int> order(lines);
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937(shuffleSeed));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("Value");
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  for (const int line : order)
+  {
+    cells->InsertNextCell(pointsPerLine);
+    for (int i = 0; i < pointsPerLine; ++i)
+    {
+      const double t = static_cast<double>(i) / (pointsPerLine - 1);
+      const double angle = 9.0 * t + line;
+      const double turn = 0.4 + 0.3 * std::sin(1.3 * line);
+      const vtkIdType point = points->InsertNextPoint(3.0 * (t - 0.5) + 0.3 * std::sin(5.1 * line),
+        turn * std::cos(angle) + 0.8 * std::sin(2.2 * line),
+        turn * std::sin(angle) + 0.8 * std::cos(3.7 * line));
+      cells->InsertCellPoint(point);
+      scalars->InsertNextValue(std::sin(7.0 * t + line));
+      radii->InsertNextValue(0.03 + 0.025 * std::sin(20.0 * t + line));
+      if (i == 0)
+      {
+        vertices->InsertNextCell({ point });
+      }
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->SetLines(cells);
+  data->GetPointData()->SetScalars(scalars);
+  data->GetPointData()->AddArray(radii);
+  return data;
+}
+
+vtkActor* AddLines(SphereScene& scene, vtkPolyData* data, double radius, double opacity)
+{
+  vtkNew<vtkTrajectoryMapper> mapper;
+  mapper->SetInputDataObject(data);
+  mapper->SetRadius(radius);
+  mapper->SetScalarRange(-1.0, 1.0);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(opacity);
+  scene.Renderer->AddActor(actor);
+  return actor;
+}
+
+bool Compare(SphereScene& scene, const std::string& name)
+{
+  OpenGLDebugOutput debugOutput(scene.Window);
+  vtkTransparencyInstaller::Install(scene.Renderer);
+  scene.Window->Render();
+  return ReferenceComparison(scene.Window, scene.Renderer).Passes(name, 0.05);
+}
+
+bool TestCrossingTubes()
+{
+  bool passed = true;
+  for (const double opacity : { 1e-4, 0.01, 0.3, 0.9 })
+  {
+    SphereScene scene(320, 240, 0, 0, 0);
+    AddLines(scene, MakeLines(30, 60, 0), 0.04, opacity);
+    passed &= Compare(scene, "crossing tubes of opacity " + std::to_string(opacity));
+  }
+  return passed;
+}
+
+bool TestRadiiFromArray()
+{
+  SphereScene scene(320, 240, 0, 0, 2);
+  vtkActor* actor = AddLines(scene, MakeLines(20, 60, 0), 0.04, 0.4);
+  vtkTrajectoryMapper::SafeDownCast(actor->GetMapper())->SetRadiusArray("Radius");
+  return Compare(scene, "radii from an array");
+}
+
+bool TestMixedScene()
+{
+  SphereScene scene(321, 241, 0, 6, 3);
+  AddLines(scene, MakeLines(25, 50, 0), 0.03, 0.5);
+  return Compare(scene, "trajectories among translucent and opaque spheres");
+}
+
+bool TestParallelProjection()
+{
+  SphereScene scene(320, 240, 0, 4, 1);
+  AddLines(scene, MakeLines(25, 50, 0), 0.03, 0.5);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(2.0);
+  scene.Renderer->GetActiveCamera()->Elevation(40);
+  scene.Renderer->ResetCameraClippingRange();
+  return Compare(scene, "trajectories in parallel projection");
+}
+
+bool TestEyeInsideATube()
+{
+  SphereScene scene(320, 240, 0, 0, 0);
+  AddLines(scene, MakeLines(6, 80, 0), 0.15, 0.4);
+  double eye[3];
+  vtkActor* actor = scene.Renderer->GetActors()->GetLastActor();
+  vtkPolyData* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  data->GetPoint(40, eye);
+  double ahead[3];
+  data->GetPoint(44, ahead);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(eye);
+  camera->SetFocalPoint(ahead);
+  camera->SetClippingRange(0.01, 10.0);
+  return Compare(scene, "eye inside a tube");
+}
+
+bool TestLargeCoordinates()
+{
+  SphereScene scene(320, 240, 0, 0, 0);
+  vtkSmartPointer<vtkPolyData> data = MakeLines(20, 60, 0);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    data->GetPoints()->SetPoint(i, 6.4e6 + point[0], 6.4e6 + point[1], -6.4e6 + point[2]);
+  }
+  data->GetPoints()->Modified();
+  AddLines(scene, data, 0.04, 0.4);
+  scene.Renderer->ResetCamera(6.4e6 - 2, 6.4e6 + 2, 6.4e6 - 2, 6.4e6 + 2, -6.4e6 - 2, -6.4e6 + 2);
+  return Compare(scene, "trajectories at 6.4e6");
+}
+
+bool TestOnePixel()
+{
+  SphereScene scene(1, 1, 0, 4, 0);
+  AddLines(scene, MakeLines(20, 60, 0), 0.04, 0.4);
+  return Compare(scene, "trajectories in one pixel");
+}
+
+bool TestSameBits()
+{
+  const auto render = [](unsigned int seed, bool spheresFirst)
+  {
+    SphereScene scene(320, 240, 0, spheresFirst ? 5 : 0, spheresFirst ? 1 : 0);
+    AddLines(scene, MakeLines(40, 50, seed), 0.05, 0.4);
+    if (!spheresFirst)
+    {
+      scene.AddSphere(3, 1.0);
+      for (int i = 4; i >= 0; --i)
+      {
+        scene.AddSphere(i, 0.1 + 0.05 * (i % 8));
+      }
+    }
+    vtkTransparencyInstaller::Install(scene.Renderer);
+    return Picture::Render(scene.Window);
+  };
+  const Picture first = render(0, true);
+  bool passed = true;
+  for (int run = 0; run < 10; ++run)
+  {
+    passed &= Check(render(0, true) == first, "run " + std::to_string(run) + " has other bits");
+  }
+  for (unsigned int seed = 1; seed < 5; ++seed)
+  {
+    passed &= Check(render(seed, seed % 2 == 0) == first,
+      "draw order " + std::to_string(seed) + " has other bits");
+  }
+  return passed;
+}
+}
+
+int TestExactTrajectories(int, char*[])
+{
+  bool passed = TestCrossingTubes();
+  passed &= TestRadiiFromArray();
+  passed &= TestMixedScene();
+  passed &= TestParallelProjection();
+  passed &= TestEyeInsideATube();
+  passed &= TestLargeCoordinates();
+  passed &= TestOnePixel();
+  passed &= TestSameBits();
+  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}
