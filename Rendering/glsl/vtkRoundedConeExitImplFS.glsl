@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
   bool cutOpen = isCut(hit.xyz);
   shown = shown && !cutOpen;
   if (!shown && (cutOpen || startsInside(ray.direction)))

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
   // The hit of view ray and rounded cone: gives VTK's shader vertexVC, normalVCVSOutput and the depth.
   ConeRay ray = viewRay();
   vec4 hit;

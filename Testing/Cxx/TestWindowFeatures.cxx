@@ -55,7 +55,7 @@ void AddText(vtkRenderer* renderer)
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(20, 20);
-  renderer->AddActor2D(actor);
+  renderer->AddViewProp(actor);
 }
 
 bool TestNothingTranslucent()
@@ -202,8 +202,8 @@ bool TestPropThatTakesNoPart()
   {
     covered += std::equal(&picture.Rgba[i], &picture.Rgba[i] + 3, &without.Rgba[i]) ? 0 : 1;
   }
-  passed &= Check(covered > 300,
-    std::to_string(covered) + " pixels show the prop that takes no part");
+  passed &=
+    Check(covered > 300, std::to_string(covered) + " pixels show the prop that takes no part");
   return passed;
 }
 
