@@ -40,15 +40,17 @@ set(pellucid_test_failures
 
 #[[
 pellucid_add_test(NAME <name> LABELS <label>... COMMAND <command>...
-                  [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...])
+                  [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...]
+                  [EXPECTED <regular expression>])
 
 Add one ctest entry, or with WINDOW one for each class of PELLUCID_TEST_WINDOWS. The command gets
 VTK's options -D <Data folder>, -T <folder for output> and -V <baseline picture of that name>, which
 vtkTesting and vtkmodules.test.Testing read. A line that says "ERROR:", an image that differs, a
-wrong OpenGL call or a sanitizer's finding fails a test even if the program returns 0.
+wrong OpenGL call or a sanitizer's finding fails a test even if the program returns 0. A test with
+EXPECTED passes when the program says that and not otherwise: for what has to be refused.
 ]]
 function (pellucid_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 test "WINDOW" "NAME;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT")
+  cmake_parse_arguments(PARSE_ARGV 0 test "WINDOW" "NAME;TIMEOUT;EXPECTED" "LABELS;COMMAND;ENVIRONMENT")
   if (NOT test_TIMEOUT)
     set(test_TIMEOUT 300)
   endif ()
@@ -81,8 +83,12 @@ function (pellucid_add_test)
     set_tests_properties("${name}" PROPERTIES
       LABELS "${test_LABELS}"
       TIMEOUT "${test_TIMEOUT}"
-      ENVIRONMENT "${environment}"
-      FAIL_REGULAR_EXPRESSION "${pellucid_test_failures}")
+      ENVIRONMENT "${environment}")
+    if (test_EXPECTED)
+      set_tests_properties("${name}" PROPERTIES PASS_REGULAR_EXPRESSION "${test_EXPECTED}")
+    else ()
+      set_tests_properties("${name}" PROPERTIES FAIL_REGULAR_EXPRESSION "${pellucid_test_failures}")
+    endif ()
   endforeach ()
 endfunction ()
 

@@ -6,6 +6,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
+import pellucid
+
 
 def picture(window):
     """The colours of a window that has rendered: integers, rows x columns x 3."""
@@ -17,6 +19,16 @@ def picture(window):
     width, height, _ = grab.GetOutput().GetDimensions()
     scalars = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
     return scalars.reshape(height, width, 3).astype(int)
+
+
+def reference_picture(renderer, width, height):
+    """The colours that vtkReferenceRenderer finds for the scene, 0 to 255, rows x columns x 3."""
+    reference = pellucid.vtkReferenceRenderer()
+    reference.SetRenderer(renderer)
+    reference.SetSize(width, height)
+    reference.Update()
+    scalars = vtk_to_numpy(reference.GetImage().GetPointData().GetScalars())
+    return 255.0 * scalars.reshape(height, width, 4)[:, :, :3]
 
 
 def assert_same_picture(expected, found, tolerance=2.0):
