@@ -136,6 +136,8 @@ void vtkRoundedConeMapper::SetNodes(const vtkTrajectoryNodes* nodes)
 {
   this->Nodes = nodes;
   this->NodeTexture.Current = false;
+  this->RemainderTexture.Current = false;
+  this->ShaderVariantTime.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +172,7 @@ void vtkRoundedConeMapper::SetTextureColors(std::vector<float> coordinates, vtkI
 void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->NodeTexture.Release(window);
+  this->RemainderTexture.Release(window);
   this->ColorTexture.Release(window);
   this->ColorMap->ReleaseGraphicsResources(window);
   this->Primitives[PrimitiveTris].IBO->IndexCount = 0;
@@ -184,6 +187,11 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
   {
     const auto& nodes = this->Nodes->GetNodes();
     this->NodeTexture.Upload(window, nodes.front().data(), nodes.size(), 4);
+  }
+  const auto& remainders = this->Nodes->GetRemainders();
+  if (!remainders.empty() && !this->RemainderTexture.Current)
+  {
+    this->RemainderTexture.Upload(window, remainders.front().data(), remainders.size(), 4);
   }
   if (this->Source == ColorSource::Direct && !this->ColorTexture.Current)
   {
@@ -234,6 +242,19 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
   }
   vtkMatrix4x4::Multiply4x4(nodeToData, dataToWorld, this->NodeToView);
   vtkMatrix4x4::Multiply4x4(this->NodeToView, worldToView, this->NodeToView);
+  this->OriginToView->DeepCopy(this->NodeToView);
+  if (!this->Nodes->GetRemainders().empty())
+  {
+    // What is large in both the eye and the nodes around it cancels before it is rounded.
+    const double eye[4] = { 0.0, 0.0, 0.0, 1.0 };
+    vtkNew<vtkMatrix4x4> viewToNode;
+    vtkMatrix4x4::Invert(this->NodeToView, viewToNode);
+    this->Origin = TransformPoint(eye, viewToNode);
+    for (int i = 0; i < 3; ++i)
+    {
+      this->OriginToView->SetElement(3, i, 0.0);
+    }
+  }
   this->WorldToView->DeepCopy(worldToView);
   this->ViewToClip->DeepCopy(viewToClip);
   vtkMatrix4x4::Invert(viewToClip, this->ClipToView);
@@ -290,6 +311,11 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   }
 
   this->NodeTexture.Texture->Activate();
+  const bool remainders = !this->Nodes->GetRemainders().empty();
+  if (remainders)
+  {
+    this->RemainderTexture.Texture->Activate();
+  }
   if (this->Source != ColorSource::Property)
   {
     this->ColorTexture.Texture->Activate();
@@ -322,6 +348,10 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   if (this->Source != ColorSource::Property)
   {
     this->ColorTexture.Texture->Deactivate();
+  }
+  if (remainders)
+  {
+    this->RemainderTexture.Texture->Deactivate();
   }
   this->NodeTexture.Texture->Deactivate();
 }
@@ -371,6 +401,23 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
       fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
     }
 
+    if (!this->Nodes->GetRemainders().empty())
+    {
+      vertex.Replace("//VTK::NodePoint::Dec",
+        "uniform samplerBuffer nodeRemainders;\n"
+        "uniform vec3 origin;\n"
+        "uniform vec3 originRemainder;\n"
+        "vec3 fromOrigin(vec3 point, int index)\n"
+        "{\n"
+        "  vec3 remainder = texelFetch(nodeRemainders, index).xyz;\n"
+        "  return (point - origin) + (remainder - originRemainder);\n"
+        "}\n");
+      vertex.Replace("//VTK::NodePoint::Impl",
+        "node0.xyz = fromOrigin(node0.xyz, max(node - 1, 0));\n"
+        "  node1.xyz = fromOrigin(node1.xyz, node);\n"
+        "  node2.xyz = fromOrigin(node2.xyz, last);\n"
+        "  node3.xyz = fromOrigin(node3.xyz, after);\n");
+    }
     if (this->Source != ColorSource::Property)
     {
       const std::string type = this->Source == ColorSource::Direct ? "vec4" : "vec2";
@@ -463,6 +510,19 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
 {
   vtkShaderProgram* program = cellBO.Program;
   program->SetUniformi("nodes", this->NodeTexture.Texture->GetTextureUnit());
+  if (!this->Nodes->GetRemainders().empty())
+  {
+    float origin[3];
+    float remainder[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      origin[i] = static_cast<float>(this->Origin[i]);
+      remainder[i] = static_cast<float>(this->Origin[i] - origin[i]);
+    }
+    program->SetUniformi("nodeRemainders", this->RemainderTexture.Texture->GetTextureUnit());
+    program->SetUniform3f("origin", origin);
+    program->SetUniform3f("originRemainder", remainder);
+  }
   if (this->Source != ColorSource::Property)
   {
     program->SetUniformi("nodeColors", this->ColorTexture.Texture->GetTextureUnit());
@@ -546,7 +606,7 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  program->SetUniformMatrix("nodeVCMatrix", this->NodeToView);
+  program->SetUniformMatrix("nodeVCMatrix", this->OriginToView);
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
