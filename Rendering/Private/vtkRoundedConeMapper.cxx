@@ -242,18 +242,14 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
   }
   vtkMatrix4x4::Multiply4x4(nodeToData, dataToWorld, this->NodeToView);
   vtkMatrix4x4::Multiply4x4(this->NodeToView, worldToView, this->NodeToView);
-  this->OriginToView->DeepCopy(this->NodeToView);
+  this->Origin = { { 0.0f, 0.0f, 0.0f } };
   if (!this->Nodes->GetRemainders().empty())
   {
-    // What is large in both the eye and the nodes around it cancels before it is rounded.
     const double eye[4] = { 0.0, 0.0, 0.0, 1.0 };
     vtkNew<vtkMatrix4x4> viewToNode;
     vtkMatrix4x4::Invert(this->NodeToView, viewToNode);
-    this->Origin = TransformPoint(eye, viewToNode);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->OriginToView->SetElement(3, i, 0.0);
-    }
+    const std::array<double, 3> origin = TransformPoint(eye, viewToNode);
+    std::copy(origin.begin(), origin.end(), this->Origin.begin());
   }
   this->WorldToView->DeepCopy(worldToView);
   this->ViewToClip->DeepCopy(viewToClip);
@@ -406,11 +402,10 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
       vertex.Replace("//VTK::NodePoint::Dec",
         "uniform samplerBuffer nodeRemainders;\n"
         "uniform vec3 origin;\n"
-        "uniform vec3 originRemainder;\n"
         "vec3 fromOrigin(vec3 point, int index)\n"
         "{\n"
         "  vec3 remainder = texelFetch(nodeRemainders, index).xyz;\n"
-        "  return (point - origin) + (remainder - originRemainder);\n"
+        "  return (point - origin) + remainder;\n"
         "}\n");
       vertex.Replace("//VTK::NodePoint::Impl",
         "node0.xyz = fromOrigin(node0.xyz, max(node - 1, 0));\n"
@@ -512,16 +507,8 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   program->SetUniformi("nodes", this->NodeTexture.Texture->GetTextureUnit());
   if (!this->Nodes->GetRemainders().empty())
   {
-    float origin[3];
-    float remainder[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      origin[i] = static_cast<float>(this->Origin[i]);
-      remainder[i] = static_cast<float>(this->Origin[i] - origin[i]);
-    }
     program->SetUniformi("nodeRemainders", this->RemainderTexture.Texture->GetTextureUnit());
-    program->SetUniform3f("origin", origin);
-    program->SetUniform3f("originRemainder", remainder);
+    program->SetUniform3f("origin", this->Origin.data());
   }
   if (this->Source != ColorSource::Property)
   {
@@ -606,7 +593,16 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  program->SetUniformMatrix("nodeVCMatrix", this->OriginToView);
+  // The large numbers that nodes have in common with the eye cancel here, before they are rounded.
+  const double origin[4] = { this->Origin[0], this->Origin[1], this->Origin[2], 1.0 };
+  const std::array<double, 3> originVC = TransformPoint(origin, this->NodeToView);
+  vtkNew<vtkMatrix4x4> originToView;
+  originToView->DeepCopy(this->NodeToView);
+  for (int i = 0; i < 3; ++i)
+  {
+    originToView->SetElement(3, i, originVC[i]);
+  }
+  program->SetUniformMatrix("nodeVCMatrix", originToView);
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);

@@ -122,10 +122,9 @@ private:
   // transposed, as VTK's key matrices are
   vtkNew<vtkMatrix4x4> WorldToView;
   vtkNew<vtkMatrix4x4> NodeToView;
-  vtkNew<vtkMatrix4x4> OriginToView; ///< for nodes minus Origin
   vtkNew<vtkMatrix4x4> ViewToClip;
   vtkNew<vtkMatrix4x4> ClipToView;
-  std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } }; ///< the eye, among nodes with remainders
+  std::array<float, 3> Origin{ { 0.0f, 0.0f, 0.0f } }; ///< near the eye, for nodes with remainders
   bool Parallel = false;
 
   std::vector<vtkEnteredTubes::Tube> EnteredTubes;
