@@ -202,8 +202,8 @@ bool TestPropThatTakesNoPart()
   {
     covered += std::equal(&picture.Rgba[i], &picture.Rgba[i] + 3, &without.Rgba[i]) ? 0 : 1;
   }
-  passed &= Check(covered > 300,
-    std::to_string(covered) + " pixels show the prop that takes no part");
+  passed &=
+    Check(covered > 300, std::to_string(covered) + " pixels show the prop that takes no part");
   return passed;
 }
 
