@@ -44,6 +44,7 @@ public:
   Ball GetBall(vtkIdType node) const
   {
     const vtkTrajectoryNodes::Node& values = this->Nodes.GetNodes()[node];
+    const auto& remainders = this->Nodes.GetRemainders();
     Ball ball;
     ball.Radius = std::abs(values[3]);
     for (int i = 0; i < 3; ++i)
@@ -51,7 +52,9 @@ public:
       ball.Center[i] = this->Matrix->GetElement(3, i);
       for (int j = 0; j < 3; ++j)
       {
-        ball.Center[i] += values[j] * this->Matrix->GetElement(j, i);
+        const double point =
+          remainders.empty() ? values[j] : values[j] + double(remainders[node][j]);
+        ball.Center[i] += point * this->Matrix->GetElement(j, i);
       }
     }
     return ball;

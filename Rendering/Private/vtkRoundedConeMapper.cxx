@@ -136,6 +136,8 @@ void vtkRoundedConeMapper::SetNodes(const vtkTrajectoryNodes* nodes)
 {
   this->Nodes = nodes;
   this->NodeTexture.Current = false;
+  this->RemainderTexture.Current = false;
+  this->ShaderVariantTime.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +172,7 @@ void vtkRoundedConeMapper::SetTextureColors(std::vector<float> coordinates, vtkI
 void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->NodeTexture.Release(window);
+  this->RemainderTexture.Release(window);
   this->ColorTexture.Release(window);
   this->ColorMap->ReleaseGraphicsResources(window);
   this->Primitives[PrimitiveTris].IBO->IndexCount = 0;
@@ -184,6 +187,11 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
   {
     const auto& nodes = this->Nodes->GetNodes();
     this->NodeTexture.Upload(window, nodes.front().data(), nodes.size(), 4);
+  }
+  const auto& remainders = this->Nodes->GetRemainders();
+  if (!remainders.empty() && !this->RemainderTexture.Current)
+  {
+    this->RemainderTexture.Upload(window, remainders.front().data(), remainders.size(), 4);
   }
   if (this->Source == ColorSource::Direct && !this->ColorTexture.Current)
   {
@@ -234,6 +242,15 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
   }
   vtkMatrix4x4::Multiply4x4(nodeToData, dataToWorld, this->NodeToView);
   vtkMatrix4x4::Multiply4x4(this->NodeToView, worldToView, this->NodeToView);
+  this->Origin = { { 0.0f, 0.0f, 0.0f } };
+  if (!this->Nodes->GetRemainders().empty())
+  {
+    const double eye[4] = { 0.0, 0.0, 0.0, 1.0 };
+    vtkNew<vtkMatrix4x4> viewToNode;
+    vtkMatrix4x4::Invert(this->NodeToView, viewToNode);
+    const std::array<double, 3> origin = TransformPoint(eye, viewToNode);
+    std::copy(origin.begin(), origin.end(), this->Origin.begin());
+  }
   this->WorldToView->DeepCopy(worldToView);
   this->ViewToClip->DeepCopy(viewToClip);
   vtkMatrix4x4::Invert(viewToClip, this->ClipToView);
@@ -290,6 +307,11 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   }
 
   this->NodeTexture.Texture->Activate();
+  const bool remainders = !this->Nodes->GetRemainders().empty();
+  if (remainders)
+  {
+    this->RemainderTexture.Texture->Activate();
+  }
   if (this->Source != ColorSource::Property)
   {
     this->ColorTexture.Texture->Activate();
@@ -322,6 +344,10 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   if (this->Source != ColorSource::Property)
   {
     this->ColorTexture.Texture->Deactivate();
+  }
+  if (remainders)
+  {
+    this->RemainderTexture.Texture->Deactivate();
   }
   this->NodeTexture.Texture->Deactivate();
 }
@@ -371,6 +397,22 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
       fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
     }
 
+    if (!this->Nodes->GetRemainders().empty())
+    {
+      vertex.Replace("//VTK::NodePoint::Dec",
+        "uniform samplerBuffer nodeRemainders;\n"
+        "uniform vec3 origin;\n"
+        "vec3 fromOrigin(vec3 point, int index)\n"
+        "{\n"
+        "  vec3 remainder = texelFetch(nodeRemainders, index).xyz;\n"
+        "  return (point - origin) + remainder;\n"
+        "}\n");
+      vertex.Replace("//VTK::NodePoint::Impl",
+        "node0.xyz = fromOrigin(node0.xyz, max(node - 1, 0));\n"
+        "  node1.xyz = fromOrigin(node1.xyz, node);\n"
+        "  node2.xyz = fromOrigin(node2.xyz, last);\n"
+        "  node3.xyz = fromOrigin(node3.xyz, after);\n");
+    }
     if (this->Source != ColorSource::Property)
     {
       const std::string type = this->Source == ColorSource::Direct ? "vec4" : "vec2";
@@ -463,6 +505,11 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
 {
   vtkShaderProgram* program = cellBO.Program;
   program->SetUniformi("nodes", this->NodeTexture.Texture->GetTextureUnit());
+  if (!this->Nodes->GetRemainders().empty())
+  {
+    program->SetUniformi("nodeRemainders", this->RemainderTexture.Texture->GetTextureUnit());
+    program->SetUniform3f("origin", this->Origin.data());
+  }
   if (this->Source != ColorSource::Property)
   {
     program->SetUniformi("nodeColors", this->ColorTexture.Texture->GetTextureUnit());
@@ -546,7 +593,16 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  program->SetUniformMatrix("nodeVCMatrix", this->NodeToView);
+  // The large numbers that nodes have in common with the eye cancel here, before they are rounded.
+  const double origin[4] = { this->Origin[0], this->Origin[1], this->Origin[2], 1.0 };
+  const std::array<double, 3> originVC = TransformPoint(origin, this->NodeToView);
+  vtkNew<vtkMatrix4x4> originToView;
+  originToView->DeepCopy(this->NodeToView);
+  for (int i = 0; i < 3; ++i)
+  {
+    originToView->SetElement(3, i, originVC[i]);
+  }
+  program->SetUniformMatrix("nodeVCMatrix", originToView);
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);

@@ -10,7 +10,8 @@
  * view-aligned quad for each segment, the fragment shader intersects the view ray with it
  * (Gross and Gumhold 2021, section 5). See glsl/vtkRoundedConeVS.glsl.
  *
- * Graphics memory: 16 bytes for each node and 4 for its colour, or 8 for a texture coordinate.
+ * Graphics memory: 16 bytes for each node, 32 where it has a remainder, and 4 for its colour, or 8
+ * for a texture coordinate.
  */
 
 #ifndef vtkRoundedConeMapper_h
@@ -25,6 +26,7 @@
 #include "vtkTextureObject.h" // for buffer textures
 #include "vtkTrajectoryNodes.h"
 
+#include <array>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -109,6 +111,7 @@ private:
 
   const vtkTrajectoryNodes* Nodes = nullptr;
   BufferTexture NodeTexture;
+  BufferTexture RemainderTexture;
 
   ColorSource Source = ColorSource::Property;
   std::vector<unsigned char> DirectColors;
@@ -121,6 +124,7 @@ private:
   vtkNew<vtkMatrix4x4> NodeToView;
   vtkNew<vtkMatrix4x4> ViewToClip;
   vtkNew<vtkMatrix4x4> ClipToView;
+  std::array<float, 3> Origin{ { 0.0f, 0.0f, 0.0f } }; ///< near the eye, for nodes with remainders
   bool Parallel = false;
 
   std::vector<vtkEnteredTubes::Tube> EnteredTubes;

@@ -19,6 +19,9 @@ namespace
 {
 using Point = std::array<double, 3>;
 
+// Displacement of a point, in radii, that cannot be seen on a tube 500 pixels wide.
+constexpr double VisibleError = 0.001;
+
 Point GetPoint(vtkPolyData* data, vtkIdType id)
 {
   Point point;
@@ -107,8 +110,7 @@ public:
       return diagonal * std::clamp(0.1 * spacing, thinnest, 4.0 * thickest);
     }
     const double density = this->Length / diagonal;
-    const double radius =
-      diagonal * std::clamp(0.008 / std::cbrt(density), thinnest, thickest);
+    const double radius = diagonal * std::clamp(0.008 / std::cbrt(density), thinnest, thickest);
     const double meanLength = this->Length / static_cast<double>(this->Lines);
     return std::max(std::min(radius, 0.05 * meanLength), thinnest * diagonal);
   }
@@ -157,6 +159,34 @@ void vtkTrajectoryNodes::Build(
         }
       });
   }
+  const double rounding = 0.5 * std::numeric_limits<float>::epsilon() *
+    (this->PointBounds.IsValid() ? 0.5 * this->PointBounds.GetMaxLength() : 0.0);
+  if (rounding > VisibleError * this->MinimumRadius)
+  {
+    this->ComputeRemainders();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Apart from the rounding of the points itself: side by side, GCC 12 with -O3 makes them 0.
+void vtkTrajectoryNodes::ComputeRemainders()
+{
+  this->Remainders.resize(this->Nodes.size());
+  for (std::size_t run = 0; run < this->Runs.size(); ++run)
+  {
+    vtkPolyData* data = this->Leaves[this->Runs[run].Leaf].Data;
+    const vtkIdType end =
+      run + 1 < this->Runs.size() ? this->Runs[run + 1].FirstNode : this->GetNumberOfNodes();
+    for (vtkIdType node = this->Runs[run].FirstNode; node < end; ++node)
+    {
+      const Point point = GetPoint(data, this->PointIds[node]);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double exact = point[c] - this->Center[c];
+        this->Remainders[node][c] = static_cast<float>(exact - this->Nodes[node][c]);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -192,6 +222,8 @@ void vtkTrajectoryNodes::AddCell(
     this->Bounds.AddBox(vtkBoundingBox(point[0] - radius, point[0] + radius, point[1] - radius,
       point[1] + radius, point[2] - radius, point[2] + radius));
     this->PointBounds.AddPoint(point.data());
+    this->MinimumRadius =
+      radius > 0.0 ? std::min(this->MinimumRadius, radius) : this->MinimumRadius;
     this->MaximumRadius = std::max(this->MaximumRadius, radius);
     previous = point;
     joined = true;

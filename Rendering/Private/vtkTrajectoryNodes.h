@@ -12,7 +12,11 @@
  * (GetNumberOfInvalidPoints);
  * - negative radii count as 0.
  *
- * Cost: one pass over the points for extent and length, one to write; 24 bytes for each node.
+ * Points are single precision relative to the middle of their bounds. Where the radii are too small
+ * for that, GetRemainders() holds what rounding has taken off.
+ *
+ * Cost: one pass over the points for extent and length, one to write; 24 bytes for each node,
+ * 40 with remainders.
  */
 
 #ifndef vtkTrajectoryNodes_h
@@ -58,6 +62,9 @@ public:
   const std::vector<Run>& GetRuns() const { return this->Runs; }
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
+  /** Three floats to add to each node's point (the fourth is 0); empty where they do not matter. */
+  const std::vector<Node>& GetRemainders() const { return this->Remainders; }
+
   /** Point id, in its leaf, of each node. */
   const std::vector<vtkIdType>& GetPointIds() const { return this->PointIds; }
 
@@ -87,15 +94,18 @@ public:
 private:
   class Extent;
 
+  void ComputeRemainders();
   void AddCell(const Leaf& leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points);
 
   std::vector<Leaf> Leaves;
   std::vector<Run> Runs;
   std::vector<Node> Nodes;
+  std::vector<Node> Remainders;
   std::vector<vtkIdType> PointIds;
   std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
   vtkBoundingBox Bounds;
   vtkBoundingBox PointBounds;
+  double MinimumRadius = VTK_DOUBLE_MAX; ///< of those above 0
   double MaximumRadius = 0.0;
   double Radius = 0.0;
   vtkIdType NumberOfInvalidPoints = 0;

@@ -35,6 +35,8 @@ flat out vec4 endPlaneLC;    // ... and < 0
 
 //VTK::NodeColor::Dec
 
+//VTK::NodePoint::Dec
+
 //VTK::Exit::Dec
 
 //VTK::Picking::Dec
@@ -159,12 +161,16 @@ void main()
   int last = segment ? node + 1 : node;
   vec4 node2 = texelFetch(nodes, last);
   bool joinedAfter = segment && node2.w < 0.0;
+  int after = joinedAfter ? last + 1 : last;
+  vec4 node3 = texelFetch(nodes, after);
 
   //VTK::NodeColor::Impl
 
   //VTK::Exit::Impl
 
   //VTK::Picking::Impl
+
+  //VTK::NodePoint::Impl
 
   vec3 x1 = (nodeVCMatrix * vec4(node1.xyz, 1.0)).xyz;
   vec3 x2 = (nodeVCMatrix * vec4(node2.xyz, 1.0)).xyz;
@@ -222,7 +228,7 @@ void main()
   }
   if (joinedAfter)
   {
-    vec3 direction = nodeVC * (texelFetch(nodes, last + 1).xyz - node1.xyz);
+    vec3 direction = nodeVC * (node3.xyz - node1.xyz);
     if (dot(direction, direction) > 0.0)
     {
       endPlaneLC.xyz = toLC * normalize(direction);

@@ -94,7 +94,7 @@ bool TestManyLayers()
          { 1000, 0.01 }, { 3000, 1e-3 }, { 100000, 1e-5 } })
   {
     const LayerStack stack(layers, opacity);
-    SphereScene scene(3, 1, 0, 0, 0);
+    SphereScene scene(3, 3, 0, 0, 0);
     scene.Renderer->AddActor(stack.MakeActor(5));
     LayerStack::SetCamera(scene.Renderer);
     passed &= Compare(scene, std::to_string(layers) + " layers");

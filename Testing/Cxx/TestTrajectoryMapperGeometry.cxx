@@ -99,7 +99,7 @@ bool Check(const Scene& scene)
   renderer->ResetCameraClippingRange();
   if (scene.Near > 0.0)
   {
-    camera->SetClippingRange(scene.Near, camera->GetClippingRange()[1]);
+    camera->SetClippingRange(scene.Near, 1000.0 * scene.Near);
   }
   window->Render();
 
@@ -130,6 +130,15 @@ int TestTrajectoryMapperGeometry(int, char*[])
     { { { 0, -1, 0, 0.3 } }, { { 0, -1, 0, 0.3 } } },
     { { { -2, -1, 0, 0.2 } }, { { -2, -1, 0, 0.2 } }, { { -1, -1, 0, 0.2 } } } };
   const Lines thin = { { { { -200, 0, -100, 0.02 } }, { { 200, 0.5, 100, 0.02 } } } };
+  Lines aroundEarth = bent;
+  for (auto& line : aroundEarth)
+  {
+    for (Point& point : line)
+    {
+      point[0] += 6.4e6;
+    }
+  }
+  aroundEarth.push_back({ { { -6.4e6, 6.4e6, -6.4e6, 0.3 } }, { { -6.4e6, 6.4e6, -6.3e6, 0.3 } } });
   Lines coil(1);
   for (int i = 0; i < 60; ++i)
   {
@@ -170,6 +179,8 @@ int TestTrajectoryMapperGeometry(int, char*[])
     { "stretched axes", bent, { { 4, 8, 40 } }, { { 0, 0, 0 } }, 30.0, 0.0, { { 3, 1, 5 } } },
     { "coordinates of 6.4e6", bent, { { 1, 2, 10 } }, { { 0, 0, 0 } }, 30.0, 0.0, { { 1, 1, 1 } },
       { { 6.4e6, -6.4e6, 6.4e6 } } },
+    { "coordinates around the earth", aroundEarth, { { 6.4e6 + 1, 2, 10 } }, { { 6.4e6, 0, 0 } },
+      30.0, 0.0, { { 1, 1, 1 } }, { { 0, 0, 0 } }, { { 0, 0, 0 } }, 1.0 },
     { "clipping plane", bent, { { 1, 2, 10 } }, { { 0, 0, 0 } }, 30.0, 0.0, { { 1, 1, 1 } },
       { { 0, 0, 0 } }, { { 0, 0.3, -1 } } },
     { "telephoto", bent, { { 100, 200, 100000 } }, { { 0, 0, 0 } }, 0.004, 0.0, { { 1, 1, 1 } },

@@ -55,6 +55,15 @@ inline double Length(const Vector& a)
   return std::sqrt(Dot(a, a));
 }
 
+// A point (w 1) or a direction (w 0) by a matrix.
+inline Vector Transform(vtkMatrix4x4* matrix, const Vector& v, double w)
+{
+  double p[4] = { v[0], v[1], v[2], w };
+  matrix->MultiplyPoint(p, p);
+  const double scale = w == 0.0 ? 1.0 : 1.0 / p[3];
+  return { { scale * p[0], scale * p[1], scale * p[2] } };
+}
+
 struct Segment
 {
   Vector Ends[2];
@@ -67,7 +76,6 @@ struct Ray
 {
   Vector Start;     // on the near plane
   Vector Direction; // unit length
-  Vector Normal;    // of the near plane, into the scene
 };
 
 struct Hit
@@ -235,7 +243,9 @@ inline std::vector<Segment> GetSegments(
   return segments;
 }
 
-inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, vtkPlaneCollection* clips)
+// `evaluatePlane` gives the distance of a point from a clipping plane, negative where it is cut.
+inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, int planes,
+  const std::function<double(const Vector&, int)>& evaluatePlane)
 {
   std::vector<bool> startsInside;
   std::vector<double> exits;
@@ -263,11 +273,10 @@ inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, vtkPlaneCo
     const auto isCut = [&](double t)
     {
       bool cut = t < 0.0;
-      Vector p = Combine(ray.Start, t, ray.Direction);
-      for (int k = 0; clips && k < clips->GetNumberOfItems(); ++k)
+      const Vector p = Combine(ray.Start, t, ray.Direction);
+      for (int k = 0; k < planes; ++k)
       {
-        vtkPlane* plane = clips->GetItem(k);
-        const double value = plane->EvaluateFunction(p.data());
+        const double value = evaluatePlane(p, k);
         doubtful = doubtful || std::abs(value) < 0.01 * radius;
         cut = cut || value < 0.0;
       }
@@ -314,20 +323,31 @@ struct Comparison
 
 // Compare the depth buffer of a rendered window with the reference, pixel by pixel.
 inline Comparison Compare(vtkRenderWindow* window, vtkRenderer* renderer,
-  const std::vector<Segment>& segments, double tolerance, vtkPlaneCollection* clips)
+  std::vector<Segment> segments, double tolerance, vtkPlaneCollection* clips)
 {
   const int* size = window->GetSize();
   vtkNew<vtkFloatArray> depths;
   window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
-  vtkMatrix4x4* toClip = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  vtkNew<vtkMatrix4x4> toWorld;
-  vtkMatrix4x4::Invert(toClip, toWorld);
-  const auto unproject = [&](double x, double y, double z)
+  // Rays in view coordinates: far from the origin the matrix from clip to world coordinates is not
+  // accurate enough. Segments come to them by the rigid view transformation.
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkMatrix4x4* toView = camera->GetViewTransformMatrix();
+  vtkMatrix4x4* toClip =
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkNew<vtkMatrix4x4> fromClip;
+  vtkMatrix4x4::Invert(toClip, fromClip);
+  vtkNew<vtkMatrix4x4> fromView;
+  vtkMatrix4x4::Invert(toView, fromView);
+  for (Segment& segment : segments)
   {
-    double p[4] = { x, y, z, 1.0 };
-    toWorld->MultiplyPoint(p, p);
-    return Vector{ { p[0] / p[3], p[1] / p[3], p[2] / p[3] } };
+    for (int end = 0; end < 2; ++end)
+    {
+      segment.Ends[end] = Transform(toView, segment.Ends[end], 1.0);
+      segment.Normals[end] = Transform(toView, segment.Normals[end], 0.0);
+    }
+  }
+  const auto unproject = [&](double x, double y, double z) {
+    return Transform(fromClip, { { x, y, z } }, 1.0);
   };
   const auto windowDepth = [&](const Vector& point)
   {
@@ -335,6 +355,12 @@ inline Comparison Compare(vtkRenderWindow* window, vtkRenderer* renderer,
     toClip->MultiplyPoint(p, p);
     return p[3] > 0.0 ? 0.5 * p[2] / p[3] + 0.5 : -1.0;
   };
+  const auto evaluatePlane = [&](const Vector& point, int plane)
+  {
+    Vector world = Transform(fromView, point, 1.0);
+    return clips->GetItem(plane)->EvaluateFunction(world.data());
+  };
+  const int planes = clips ? clips->GetNumberOfItems() : 0;
   Comparison result;
   for (int y = 0; y < size[1]; ++y)
   {
@@ -346,7 +372,7 @@ inline Comparison Compare(vtkRenderWindow* window, vtkRenderer* renderer,
       ray.Start = unproject(clipX, clipY, -1.0);
       ray.Direction = Combine(unproject(clipX, clipY, 1.0), -1.0, ray.Start);
       vtkMath::Normalize(ray.Direction.data());
-      Hit hit = Cast(segments, ray, clips);
+      Hit hit = Cast(segments, ray, planes, evaluatePlane);
       const double depth = depths->GetValue(y * size[0] + x);
       const auto at = [&](double t) { return windowDepth(Combine(ray.Start, t, ray.Direction)); };
       const bool covered = std::isfinite(hit.Distance) && at(hit.Distance) < 1.0;
