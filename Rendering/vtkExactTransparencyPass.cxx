@@ -37,6 +37,9 @@ constexpr vtkIdType FirstNodesPerPixel = 2;
 
 constexpr vtkIdType BytesPerMiB = 1024 * 1024;
 
+// Smaller tiles are not divided when OpenGL has no memory: it would not help.
+constexpr vtkIdType LeastPixelsForMemory = 4096;
+
 const GLint NeededMajorVersion = 4;
 const GLint NeededMinorVersion = 3;
 
@@ -69,18 +72,20 @@ struct vtkExactTransparencyPass::Internals
     vtkFragmentStages Stages;
     vtkOpaqueLayer Opaque;
     vtkStageTimers Timers;
+    vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
     GLuint GatherFramebuffer = 0;
+
+    vtkIdType GetBytes() const { return this->Lists.GetBytes() + this->Opaque.GetBytes(); }
   };
   std::unique_ptr<Resources> GPU = std::make_unique<Resources>();
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType ContextTime = 0;
 
   vtkFragmentTiles Tiles;
-  vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
 
   // One frame.
   vtkOpenGLState* State = nullptr;
-  std::vector<vtkProp*> TranslucentProps;
+  std::set<vtkProp*> RenderedProps;
   std::set<vtkProp*> PropsToBlend;
 
   // What the hooks in the mappers' shaders need.
@@ -93,13 +98,14 @@ struct vtkExactTransparencyPass::Internals
   bool WarnedOfOpenGL = false;
   bool WarnedOfBlending = false;
   bool WarnedOfMemory = false;
+  bool ReportedNoMemory = false;
 
   void FollowContext(vtkOpenGLRenderWindow* window)
   {
     if (this->Window != window || this->ContextTime != window->GetContextCreationTime())
     {
       this->Release();
-      this->GPU = std::make_unique<Resources>();
+      window->MakeCurrent();
       this->Window = window;
       this->ContextTime = window->GetContextCreationTime();
     }
@@ -107,20 +113,20 @@ struct vtkExactTransparencyPass::Internals
 
   void Release()
   {
-    if (!this->Window || this->ContextTime != this->Window->GetContextCreationTime())
+    if (this->Window && this->ContextTime == this->Window->GetContextCreationTime())
     {
-      return;
+      this->Window->PushContext();
+      if (this->Window->IsCurrent())
+      {
+        this->GPU->Lists.Release();
+        this->GPU->Stages.Release();
+        this->GPU->Opaque.Release();
+        this->GPU->FXAAFilter->ReleaseGraphicsResources();
+        glDeleteFramebuffers(1, &this->GPU->GatherFramebuffer);
+      }
+      this->Window->PopContext();
     }
-    this->Window->MakeCurrent();
-    if (this->Window->IsCurrent())
-    {
-      this->GPU->Lists.Release();
-      this->GPU->Stages.Release();
-      this->GPU->Opaque.Release();
-      glDeleteFramebuffers(1, &this->GPU->GatherFramebuffer);
-      this->GPU->GatherFramebuffer = 0;
-      this->FXAAFilter->ReleaseGraphicsResources();
-    }
+    this->GPU = std::make_unique<Resources>();
     this->Window = nullptr;
   }
 };
@@ -171,39 +177,38 @@ void vtkExactTransparencyPass::Render(const vtkRenderState* state)
   this->ClearLights(renderer);
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
-  if (this->NeedsOwnStages(state))
-  {
-    this->RenderGeometry(state);
-  }
-  else
+  if (this->KeepsStockPath(state))
   {
     this->UpdateGeometry(renderer, state->GetFrameBuffer());
     this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
   }
+  else
+  {
+    this->RenderGeometry(state);
+  }
+  this->Statistics->SetBufferBytes(this->Internal->GPU->GetBytes());
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::NeedsOwnStages(const vtkRenderState* state)
+bool vtkExactTransparencyPass::KeepsStockPath(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
   if (renderer->GetSelector() || renderer->GetUseShadows())
   {
-    return false;
+    return true;
   }
   const std::vector<vtkProp*> props = GetProps(state);
   const bool peelsVolumes =
     renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
   if (peelsVolumes && std::any_of(props.begin(), props.end(), vtkVolume::SafeDownCast))
   {
-    return false;
+    return true;
   }
-  auto& translucent = this->Internal->TranslucentProps;
-  translucent.clear();
-  std::copy_if(props.begin(), props.end(), std::back_inserter(translucent),
+  const bool hasTranslucentGeometry = std::any_of(props.begin(), props.end(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
-  if (translucent.empty())
+  if (!hasTranslucentGeometry)
   {
-    return false;
+    return true;
   }
   const std::string reason =
     vtkExactTransparencyPass::GetReasonUnsupported(renderer->GetRenderWindow());
@@ -212,7 +217,7 @@ bool vtkExactTransparencyPass::NeedsOwnStages(const vtkRenderState* state)
     vtkWarningMacro("VTK's own transparency is used, because " << reason << ".");
     this->Internal->WarnedOfOpenGL = true;
   }
-  return reason.empty();
+  return !reason.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -222,22 +227,25 @@ void vtkExactTransparencyPass::RenderGeometry(const vtkRenderState* state)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLClearErrorMacro();
   this->Internal->FollowContext(window);
+  Internals::Resources& gpu = *this->Internal->GPU;
   this->Internal->State = window->GetState();
-  this->NumberOfRenderedProps = 0;
+  const int renderedBefore = renderer->GetNumberOfPropsRendered();
   {
-    vtkStageTimers::Scope stage(this->Internal->GPU->Timers, "opaque");
+    vtkStageTimers::Scope stage(gpu.Timers, "opaque");
     renderer->DeviceRenderOpaqueGeometry(state->GetFrameBuffer());
   }
+  this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered() - renderedBefore;
   this->RenderTranslucentGeometry(state);
-  this->BlendOtherProps(renderer);
-  this->Statistics->SetBufferBytes(
-    this->Internal->GPU->Lists.GetBytes() + this->Internal->GPU->Opaque.GetBytes());
-  this->Internal->GPU->Timers.Collect(this->Statistics);
+  this->BlendOtherProps(state);
+  gpu.Timers.Collect(this->Statistics);
 
   if (renderer->GetUseFXAA())
   {
-    this->Internal->FXAAFilter->UpdateConfiguration(renderer->GetFXAAOptions());
-    this->Internal->FXAAFilter->Execute(renderer);
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+    {
+      gpu.FXAAFilter->UpdateConfiguration(options);
+    }
+    gpu.FXAAFilter->Execute(renderer);
   }
   for (vtkProp* prop : GetProps(state))
   {
@@ -255,10 +263,15 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
+  internal.RenderedProps.clear();
   internal.PropsToBlend.clear();
 
   std::array<int, 4> viewport{};
   internal.State->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  if (viewport[2] < 1 || viewport[3] < 1)
+  {
+    return;
+  }
   {
     vtkStageTimers::Scope stage(gpu.Timers, "copy");
     gpu.Opaque.Copy(internal.State, viewport);
@@ -290,6 +303,7 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
   gpu.Opaque.Deactivate(internal.State);
   vtkFragmentLists::Unbind();
   this->Statistics->SetTiles(internal.Tiles.GetNumberOfTiles());
+  this->NumberOfRenderedProps += static_cast<int>(internal.RenderedProps.size());
 }
 
 //------------------------------------------------------------------------------
@@ -316,6 +330,11 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
       tiles.Split(tile, fragments);
       return;
     }
+    if (fragments > tiles.GetNodeCapacity())
+    {
+      this->GiveUp(fragments);
+      return;
+    }
     // A quarter more, so that a slowly turning view does not grow the buffers every frame.
     nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit()));
   } while (fragments > lists.GetNodeCapacity());
@@ -331,16 +350,29 @@ void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
 {
   vtkFragmentTiles& tiles = this->Internal->Tiles;
   tiles.LowerNodeCapacity(nodes / 2);
-  if (this->Internal->Tile.GetNumberOfPixels() > 1)
+  if (this->Internal->Tile.GetNumberOfPixels() > LeastPixelsForMemory)
   {
     tiles.Split(this->Internal->Tile, nodes);
   }
   else
   {
-    vtkErrorMacro("OpenGL has no memory for the "
-      << nodes << " fragments of one pixel; the pixel shows the opaque scene only. Expected "
-      << nodes * vtkFragmentLists::BytesPerNode / BytesPerMiB
-      << " MiB. Reduce the number of translucent layers.");
+    this->GiveUp(nodes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::GiveUp(vtkIdType nodes)
+{
+  this->Internal->Tiles.Abandon();
+  if (!this->Internal->ReportedNoMemory)
+  {
+    const vtkPixelRectangle& tile = this->Internal->Tile;
+    vtkErrorMacro("OpenGL has no room for the fragment lists of "
+      << tile.Size[0] << " x " << tile.Size[1] << " pixels: needed are "
+      << nodes * vtkFragmentLists::BytesPerNode / BytesPerMiB + 1
+      << " MiB. The rest of the picture shows the opaque scene only. Free graphics memory, or draw "
+         "fewer translucent layers.");
+    this->Internal->ReportedNoMemory = true;
   }
 }
 
@@ -370,6 +402,7 @@ void vtkExactTransparencyPass::BindGatherFramebuffer()
     glGenFramebuffers(1, &framebuffer);
   }
   this->Internal->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  this->Internal->State->vtkglDrawBuffer(GL_NONE);
   glFramebufferParameteri(
     GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, tile.Origin[0] + tile.Size[0]);
   glFramebufferParameteri(
@@ -388,14 +421,17 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
   internal.State->PushFramebufferBindings();
   this->BindGatherFramebuffer();
   this->PreRender(state);
-  for (vtkProp* prop : internal.TranslucentProps)
+  // All props, as VTK does: some draw translucent geometry without saying so before.
+  for (vtkProp* prop : GetProps(state))
   {
     internal.PropTookPart = false;
-    const int rendered = prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
-    this->NumberOfRenderedProps += rendered;
-    if (rendered > 0 && !internal.PropTookPart)
+    if (prop->RenderTranslucentPolygonalGeometry(state->GetRenderer()) > 0)
     {
-      internal.PropsToBlend.insert(prop);
+      internal.RenderedProps.insert(prop);
+      if (!internal.PropTookPart)
+      {
+        internal.PropsToBlend.insert(prop);
+      }
     }
   }
   this->PostRender(state);
@@ -430,7 +466,7 @@ void vtkExactTransparencyPass::SortAndResolve()
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::BlendOtherProps(vtkRenderer* renderer)
+void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 {
   Internals& internal = *this->Internal;
   this->Statistics->SetBlendedProps(static_cast<int>(internal.PropsToBlend.size()));
@@ -439,17 +475,19 @@ void vtkExactTransparencyPass::BlendOtherProps(vtkRenderer* renderer)
     return;
   }
   vtkStageTimers::Scope stage(internal.GPU->Timers, "blend");
-  for (vtkProp* prop : internal.TranslucentProps)
+  const char* firstClass = nullptr;
+  for (vtkProp* prop : GetProps(state))
   {
     if (internal.PropsToBlend.count(prop) > 0)
     {
-      prop->RenderTranslucentPolygonalGeometry(renderer);
+      firstClass = firstClass ? firstClass : prop->GetClassName();
+      prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
     }
   }
   if (!internal.WarnedOfBlending)
   {
     vtkWarningMacro(<< internal.PropsToBlend.size() << " translucent prop(s), the first a "
-                    << (*internal.PropsToBlend.begin())->GetClassName()
+                    << firstClass
                     << ", have a mapper that takes no part in render passes. They are blended over "
                        "the exact result, without regard to depth order.");
     internal.WarnedOfBlending = true;
@@ -501,8 +539,15 @@ void vtkExactTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   if (window == this->Internal->Window)
   {
-    this->Internal->Release();
+    this->FreeGraphicsMemory();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::FreeGraphicsMemory()
+{
+  this->Internal->Release();
+  this->Statistics->SetBufferBytes(0);
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,8 @@
  * 5. `resolve` - each list is composited over the opaque scene
  * 6. `blend`   - props whose mapper takes no part in render passes, over the result; counted in the
  *                statistics, with one warning
- * A frame without translucent geometry runs VTK's own path and nothing else, and allocates nothing.
+ * A frame without translucent geometry runs VTK's own path and nothing else, and allocates nothing;
+ * what an earlier frame has allocated is kept for the next.
  *
  * Exactness. Lists of any length are composited completely. When the fragments do not fit into the
  * buffers these grow; when they would exceed #MemoryLimit the image is worked through in
@@ -68,10 +69,12 @@ public:
 
   ///@{
   /**
-   * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 67 million
-   * fragments. A scene that needs more is drawn in several rectangles, which costs one more
-   * traversal of the geometry for each. Only the list of a single pixel may exceed the limit; a
-   * warning tells. The copies of the opaque scene (8 bytes for each sample) come on top.
+   * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 49 million
+   * fragments at a time, or for 16 million where OpenGL limits a buffer to 128 MiB as Mesa's
+   * software renderer does. A scene that needs more is drawn in several rectangles, which costs one
+   * more traversal of the geometry for each. Only the list of a single pixel may exceed the limit;
+   * a warning tells. The copies of the opaque scene come on top: 8 bytes for each sample, 20 for
+   * each in a floating-point target.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
@@ -89,7 +92,11 @@ public:
   /** Draw the props of the state's renderer. The camera must have been set up. */
   void Render(const vtkRenderState* state) override;
 
+  ///@{
+  /** Free the graphics memory of that window, or of the window that was drawn last. */
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  void FreeGraphicsMemory();
+  ///@}
 
   ///@{
   /** Take part in the shader of a mapper; called by the mapper while it is gathered. */
@@ -110,16 +117,17 @@ private:
 
   struct Internals;
 
-  bool NeedsOwnStages(const vtkRenderState* state);
+  bool KeepsStockPath(const vtkRenderState* state);
   void RenderGeometry(const vtkRenderState* state);
   void RenderTranslucentGeometry(const vtkRenderState* state);
   void RenderTile(const vtkRenderState* state);
   void DivideForMemory(vtkIdType nodes);
+  void GiveUp(vtkIdType nodes);
   void WarnOfMemory(vtkIdType fragments);
   void BindGatherFramebuffer();
   vtkIdType Gather(const vtkRenderState* state);
   void SortAndResolve();
-  void BlendOtherProps(vtkRenderer* renderer);
+  void BlendOtherProps(const vtkRenderState* state);
 
   int MemoryLimit = 1024;
   vtkNew<vtkTransparencyStatistics> Statistics;

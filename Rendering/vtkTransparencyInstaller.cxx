@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -33,6 +34,10 @@ vtkRenderPass* GetDelegate(vtkRenderPass* pass)
   {
     return image->GetDelegatePass();
   }
+  if (auto* supersampling = vtkSSAAPass::SafeDownCast(pass))
+  {
+    return supersampling->GetDelegatePass();
+  }
   return nullptr;
 }
 
@@ -46,6 +51,10 @@ void SetDelegate(vtkRenderPass* holder, vtkRenderPass* delegate)
   {
     image->SetDelegatePass(delegate);
   }
+  else if (auto* supersampling = vtkSSAAPass::SafeDownCast(holder))
+  {
+    supersampling->SetDelegatePass(delegate);
+  }
 }
 
 // By name: ParaView's class is not known here.
@@ -56,12 +65,17 @@ bool IsDefaultPass(vtkRenderPass* pass)
 }
 
 //------------------------------------------------------------------------------
-vtkTransparencyInstaller::vtkTransparencyInstaller() = default;
+vtkTransparencyInstaller::vtkTransparencyInstaller()
+{
+  this->CameraPass->SetDelegatePass(this->Pass);
+}
 
 //------------------------------------------------------------------------------
 vtkTransparencyInstaller::~vtkTransparencyInstaller()
 {
   this->StopObserving();
+  // Mappers may keep the pass alive for longer than the renderer.
+  this->Pass->FreeGraphicsMemory();
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +118,10 @@ void vtkTransparencyInstaller::Uninstall(vtkRenderer* renderer)
   {
     installer->LeaveFrame();
     installer->StopObserving();
-    installer->Pass->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    if (renderer->GetPass() == installer->CameraPass)
+    {
+      renderer->SetPass(nullptr);
+    }
     renderer->GetInformation()->Remove(vtkTransparencyInstaller::KEY());
   }
 }
@@ -140,26 +157,22 @@ void vtkTransparencyInstaller::StopObserving()
 //------------------------------------------------------------------------------
 void vtkTransparencyInstaller::EnterFrame()
 {
-  // A selection is drawn by VTK alone; a frame that was broken off leaves its chain to LeaveFrame.
+  // Only a frame that was broken off has left something to do.
   this->LeaveFrame();
-  if (this->Renderer->GetSelector())
+  if (!this->Renderer->GetPass())
   {
-    return;
-  }
-  vtkRenderPass* leaf = this->Renderer->GetPass();
-  if (!leaf)
-  {
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(this->Pass);
-    this->Renderer->SetPass(camera);
-    this->InFrame = true;
-    return;
+    this->Renderer->SetPass(this->CameraPass);
   }
   vtkRenderPass* holder = nullptr;
+  vtkRenderPass* leaf = this->Renderer->GetPass();
   while (vtkRenderPass* delegate = GetDelegate(leaf))
   {
     holder = leaf;
     leaf = delegate;
+  }
+  if (vtkExactTransparencyPass::SafeDownCast(leaf))
+  {
+    return;
   }
   if (!IsDefaultPass(leaf))
   {
@@ -175,35 +188,35 @@ void vtkTransparencyInstaller::EnterFrame()
   }
   this->Holder = holder;
   this->ReplacedLeaf = leaf;
-  if (holder)
-  {
-    SetDelegate(holder, this->Pass);
-  }
-  else
-  {
-    this->Renderer->SetPass(this->Pass);
-  }
-  this->InFrame = true;
+  this->Replace(leaf, this->Pass);
 }
 
 //------------------------------------------------------------------------------
 void vtkTransparencyInstaller::LeaveFrame()
 {
-  if (!this->InFrame)
+  if (this->ReplacedLeaf)
   {
-    return;
+    this->Replace(this->Pass, this->ReplacedLeaf);
+    this->Holder = nullptr;
+    this->ReplacedLeaf = nullptr;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyInstaller::Replace(vtkRenderPass* expected, vtkRenderPass* leaf)
+{
+  // What was set meanwhile by others stays.
   if (this->Holder)
   {
-    SetDelegate(this->Holder, this->ReplacedLeaf);
+    if (GetDelegate(this->Holder) == expected)
+    {
+      SetDelegate(this->Holder, leaf);
+    }
   }
-  else
+  else if (this->Renderer->GetPass() == expected)
   {
-    this->Renderer->SetPass(this->ReplacedLeaf);
+    this->Renderer->SetPass(leaf);
   }
-  this->Holder = nullptr;
-  this->ReplacedLeaf = nullptr;
-  this->InFrame = false;
 }
 
 //------------------------------------------------------------------------------

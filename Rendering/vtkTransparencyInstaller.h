@@ -9,13 +9,15 @@
  * @endcode
  *
  * The installer observes the renderer. At the start of each frame it looks for the leaf of the
- * renderer's chain of passes, through image processing and camera passes; a leaf that is VTK's or
- * ParaView's default pass is replaced for this frame by a vtkExactTransparencyPass, and at the end
- * of the frame the chain is as it was. A renderer without passes gets a camera pass with ours
- * behind it for the frame. Any other leaf, ray tracing for example, is left alone, with one
+ * renderer's chain of passes, through image processing, supersampling and camera passes; a leaf
+ * that is VTK's or ParaView's default pass is replaced for this frame by a
+ * vtkExactTransparencyPass, and at the end of the frame the chain is as it was. A renderer without
+ * passes gets a camera pass with ours behind it, until it is uninstalled or the application sets a
+ * pass. Any other leaf, ray tracing or a sequence of passes for example, is left alone, with one
  * warning. Nothing has to be subclassed, and passes that the application sets later keep working.
  *
- * A hardware selection runs in VTK's own path.
+ * A hardware selection runs in VTK's own path. Graphics memory is freed when the renderer is
+ * uninstalled, or deleted, or its window gives up its resources.
  *
  * @sa vtkExactTransparencyPass
  */
@@ -31,6 +33,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkCameraPass;
 class vtkExactTransparencyPass;
 class vtkInformationObjectBaseKey;
 class vtkRenderer;
@@ -47,7 +50,7 @@ public:
   /**
    * Make the renderer exact from its next frame on and return the pass that will draw it, for its
    * parameters and statistics. A second call returns the same pass. The renderer owns it. Returns
-   * null, with an error, when there is no renderer.
+   * null, with a warning, when there is no renderer.
    */
   static vtkExactTransparencyPass* Install(vtkRenderer* renderer);
 
@@ -74,16 +77,18 @@ private:
   void StopObserving();
   void EnterFrame();
   void LeaveFrame();
+  void Replace(vtkRenderPass* expected, vtkRenderPass* leaf);
 
   vtkWeakPointer<vtkRenderer> Renderer;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
   vtkNew<vtkExactTransparencyPass> Pass;
+  vtkNew<vtkCameraPass> CameraPass; // for a renderer without passes; Pass is its delegate
 
-  // The chain as it was before this frame; both null between frames and when nothing was replaced.
+  // The leaf that Pass replaces in this frame and its holder; null when the renderer itself holds
+  // it.
   vtkSmartPointer<vtkRenderPass> Holder;
   vtkSmartPointer<vtkRenderPass> ReplacedLeaf;
-  bool InFrame = false;
   bool WarnedOfLeaf = false;
 };
 

@@ -28,6 +28,16 @@ constexpr int GetNumberOfListLevels()
   return levels;
 }
 
+// An error that others left must not be taken for one of ours. There is one flag for each kind.
+void ForgetErrors()
+{
+  for (int kinds = 0; kinds < 8 && glGetError() != GL_NO_ERROR; ++kinds)
+  {
+  }
+}
+
+static_assert(sizeof(vtkIdType) == 8, "fragment counts need VTK_USE_64BIT_IDS");
+
 /** Maps a whole buffer for the life of the object. */
 template <typename T>
 class MappedBuffer
@@ -42,6 +52,10 @@ public:
   }
   ~MappedBuffer()
   {
+    if (!this->Data)
+    {
+      return;
+    }
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handle);
     glUnmapBuffer(GL_SHADER_STORAGE_BUFFER);
   }
@@ -94,9 +108,9 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
     glGenBuffers(1, &this->Handles[buffer]);
   }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[buffer]);
-  vtkOpenGLClearErrorMacro();
+  ForgetErrors();
   glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
-  const bool allocated = glGetError() == GL_NO_ERROR;
+  const bool allocated = glGetError() != GL_OUT_OF_MEMORY;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   this->Bytes[buffer] = allocated ? bytes : 0;
   return allocated;
@@ -105,8 +119,8 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
 //------------------------------------------------------------------------------
 bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples)
 {
-  const vtkIdType longLists = nodes / MaximumShaderList + 1;
   const vtkIdType nodeElements = std::max(nodes, this->NodeCapacity) + 1;
+  const vtkIdType longLists = nodeElements / MaximumShaderList + 1;
   const bool allocated =
     this->Allocate(Heads, static_cast<vtkIdType>(sizeof(Counters)) + pixels * BytesPerPixel) &&
     this->Allocate(Links, nodeElements * static_cast<vtkIdType>(sizeof(Link))) &&
@@ -176,6 +190,10 @@ vtkIdType vtkFragmentLists::CollapseLongLists(std::uint32_t count, int samples)
   MappedBuffer<Link> links(this->Handles[Links], this->Bytes[Links]);
   MappedBuffer<Color> colors(this->Handles[Colors], this->Bytes[Colors]);
   MappedBuffer<std::uint32_t> entries(this->Handles[LongLists], this->Bytes[LongLists]);
+  if (!heads.Data || !links.Data || !colors.Data || !entries.Data)
+  {
+    return 0;
+  }
   std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
 
   std::vector<vtkIdType> lengths(count);

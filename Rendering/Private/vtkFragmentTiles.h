@@ -36,17 +36,26 @@ struct vtkPixelRectangle
 class vtkFragmentTiles
 {
 public:
-  /** Begin a frame. `limitBytes` bounds heads and nodes, `nodeCapacity` the nodes of one tile. */
+  /**
+   * Begin a frame. `limitBytes` bounds heads and nodes together, `nodeCapacity` the nodes of one
+   * tile, and its heads, which are smaller, too.
+   */
   void Begin(const vtkPixelRectangle& viewport, vtkIdType limitBytes, vtkIdType nodeCapacity);
 
-  /** Allow fewer nodes from now on, because there was no memory for more. */
+  /** Allow fewer nodes in this frame, because there was no memory for more. */
   void LowerNodeCapacity(vtkIdType nodeCapacity);
+
+  /** Give up the rest of the frame. */
+  void Abandon() { this->Pending.clear(); }
 
   /** Take the next tile; false when the frame is complete. */
   bool Next(vtkPixelRectangle& tile);
 
   /** Nodes that a tile may use, at least 1. */
   vtkIdType GetNodeLimit() const;
+
+  /** Nodes that the list of a single pixel may use, whatever the memory limit. */
+  vtkIdType GetNodeCapacity() const { return this->NodeCapacity; }
 
   /** Whether a tile with so many fragments has to be divided, and can be. */
   bool MustSplit(const vtkPixelRectangle& tile, vtkIdType fragments) const;

@@ -65,6 +65,7 @@ uint merge(uint a, uint b)
 
 void noteLongList(int pixel)
 {
+  // There is room for all: the buffer has an entry for every PELLUCID_MAXIMUM_SHADER_LIST nodes.
   uint entry = atomicAdd(pellucidLongListCount, 1u) * uint(1 + PELLUCID_SAMPLES);
   pellucidLongLists[entry] = uint(pixel);
   for (int sampleIndex = 0; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
