@@ -8,10 +8,12 @@
  * whose centre and radius lie linearly between those of its ends. It is drawn as one view-aligned
  * quad on which each pixel intersects the view ray with the cone (M. Gross and S. Gumhold, Advanced
  * Rendering of Line Data with Ambient Occlusion and Transparency, 2021, section 5). At the joints
- * of a line the segments are cut by planes (eq. 11 there), so that a ray that passes once through a
- * tube makes one fragment; line ends keep their round caps. Where the near plane or a clipping
- * plane opens a tube its inner wall shows. Vertices, and lines of one point, are balls; polygons
- * and strips look as vtkPolyDataMapper draws them.
+ * of a line the segments are cut by the bisector planes, normal to the sum of the two unit
+ * directions, so that a ray that passes once through a tube makes one fragment. (The planes of
+ * eq. 11 there, normal to the chord between the neighbouring points, leave gaps in the outline
+ * between segments of unequal length.) Line ends keep their round caps. Where the near plane or a
+ * clipping plane opens a tube its inner wall shows. Vertices, and lines of one point, are balls;
+ * polygons and strips look as vtkPolyDataMapper draws them.
  *
  * Colours, materials, lights, render passes, clipping planes, picking and hardware selection are
  * those of vtkPolyDataMapper; a selection by points returns the nearer end of the segment hit.

@@ -49,6 +49,15 @@ float cross2(vec2 a, vec2 b)
   return a.x * b.y - a.y * b.x;
 }
 
+// The normal of a joint plane: it halves the angle between the segments that meet there. Zero where
+// the line turns straight back. (Normal to the chord from the previous to the next node, as in Gross
+// and Gumhold 2021, eq. 11, the plane would cut segments of unequal length in different ellipses.)
+vec3 bisector(vec3 before, vec3 after)
+{
+  vec3 sum = normalize(before) + normalize(after);
+  return dot(sum, sum) > 1e-12 ? normalize(sum) : vec3(0.0);
+}
+
 vec3 anyNormal(vec3 v)
 {
   vec3 other = abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
@@ -217,23 +226,16 @@ void main()
 
   mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
   mat3 nodeVC = mat3(nodeVCMatrix);
+  vec3 direction = nodeVC * (node2.xyz - node1.xyz);
   if (joinedBefore)
   {
-    vec3 direction = nodeVC * (node0.xyz - node2.xyz);
-    if (dot(direction, direction) > 0.0)
-    {
-      startPlaneLC.xyz = toLC * normalize(direction);
-      startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
-    }
+    startPlaneLC.xyz = -(toLC * bisector(nodeVC * (node1.xyz - node0.xyz), direction));
+    startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
   }
   if (joinedAfter)
   {
-    vec3 direction = nodeVC * (node3.xyz - node1.xyz);
-    if (dot(direction, direction) > 0.0)
-    {
-      endPlaneLC.xyz = toLC * normalize(direction);
-      endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
-    }
+    endPlaneLC.xyz = toLC * bisector(direction, nodeVC * (node3.xyz - node2.xyz));
+    endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
   }
 
   End end1 = End(-halfLength, r1, false);
