@@ -18,7 +18,7 @@
  * Colours, materials, lights, render passes, clipping planes, picking and hardware selection are
  * those of vtkPolyDataMapper; a selection by points returns the nearer end of the segment hit.
  * Colours, or the scalars where InterpolateScalarsBeforeMapping is on, change linearly from ball to
- * ball.
+ * ball; where one ball of a segment contains the other, its colour is that of the larger.
  *
  * Radii are in world units whatever the scale of the actor, so that a stretched axis does not
  * flatten tubes. Bounds include the radius for an actor that is not scaled.

@@ -425,9 +425,9 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
           "flat out " +
           type + " endColor;\n");
       vertex.Replace("//VTK::NodeColor::Impl",
-        "startColor = texelFetch(nodeColors, node)" + swizzle +
+        "startColor = texelFetch(nodeColors, firstBall)" + swizzle +
           ";\n"
-          "  endColor = texelFetch(nodeColors, last)" +
+          "  endColor = texelFetch(nodeColors, lastBall)" +
           swizzle + ";\n");
       fragment.Replace("//VTK::NodeColor::Dec",
         "flat in " + type +
@@ -490,7 +490,7 @@ void vtkRoundedConeMapper::ReplaceShaderPicking(Shaders shaders, vtkRenderer*, v
   const bool points =
     pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
   vertex.Replace("//VTK::Picking::Dec", "flat out ivec2 nodeIds;\n");
-  vertex.Replace("//VTK::Picking::Impl", "nodeIds = ivec2(node, last);\n");
+  vertex.Replace("//VTK::Picking::Impl", "nodeIds = ivec2(firstBall, lastBall);\n");
   fragment.Replace("//VTK::Picking::Dec", "flat in ivec2 nodeIds;\n");
   fragment.Replace("//VTK::Picking::Impl",
     std::string("int id = ") + (points ? "hit.w > 0.0 ? nodeIds.y : nodeIds.x" : "nodeIds.x") +

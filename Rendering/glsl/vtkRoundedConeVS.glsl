@@ -173,12 +173,6 @@ void main()
   int after = joinedAfter ? last + 1 : last;
   vec4 node3 = texelFetch(nodes, after);
 
-  //VTK::NodeColor::Impl
-
-  //VTK::Exit::Impl
-
-  //VTK::Picking::Impl
-
   //VTK::NodePoint::Impl
 
   vec3 x1 = (nodeVCMatrix * vec4(node1.xyz, 1.0)).xyz;
@@ -202,15 +196,25 @@ void main()
   vec3 joint1 = x1;
   vec3 joint2 = x2;
   float len = length(x2 - x1);
+  int firstBall = node;
+  int lastBall = last;
   if (len <= abs(r1 - r2) * 1.0001)
   {
     // one ball contains the other
+    firstBall = r1 > r2 ? node : last;
+    lastBall = firstBall;
     x1 = r1 > r2 ? x1 : x2;
     x2 = x1;
     r1 = max(r1, r2);
     r2 = r1;
     len = 0.0;
   }
+
+  //VTK::NodeColor::Impl
+
+  //VTK::Exit::Impl
+
+  //VTK::Picking::Impl
 
   centerVC = 0.5 * (x1 + x2);
   vec3 view = perspective > 0.5 ? centerVC : vec3(0.0, 0.0, -1.0);
