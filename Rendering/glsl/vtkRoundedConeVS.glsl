@@ -12,11 +12,6 @@
 // Frames: VC view coordinates; LC the frame of a segment: origin in its middle, x along its axis,
 // y in the plane of axis and view ray, z across.
 
-// xyz: point minus the centre of the data, data units. |w|: radius, world units; w < 0: a segment
-// leads to the next node.
-uniform samplerBuffer nodes;
-
-uniform mat4 nodeVCMatrix;  // node to VC
 uniform mat4 VCDCMatrix;
 uniform mat4 DCVCMatrix;
 uniform vec4 frustumVC[6];  // inward planes, unit normals
@@ -35,7 +30,7 @@ flat out vec4 endPlaneLC;    // ... and < 0
 
 //VTK::NodeColor::Dec
 
-//VTK::NodePoint::Dec
+//VTK::TrajectoryNodes::Dec
 
 //VTK::Exit::Dec
 
@@ -47,15 +42,6 @@ const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1.0);
 float cross2(vec2 a, vec2 b)
 {
   return a.x * b.y - a.y * b.x;
-}
-
-// The normal of a joint plane: it halves the angle between the segments that meet there. Zero where
-// the line turns straight back. (Normal to the chord from the previous to the next node, as in Gross
-// and Gumhold 2021, eq. 11, the plane would cut segments of unequal length in different ellipses.)
-vec3 bisector(vec3 before, vec3 after)
-{
-  vec3 sum = normalize(before) + normalize(after);
-  return dot(sum, sum) > 1e-12 ? normalize(sum) : vec3(0.0);
 }
 
 vec3 anyNormal(vec3 v)
@@ -159,8 +145,8 @@ void main()
   startPlaneLC = NO_PLANE;
   endPlaneLC = NO_PLANE;
 
-  vec4 node1 = texelFetch(nodes, node);
-  vec4 node0 = texelFetch(nodes, max(node - 1, 0));
+  vec4 node1 = fetchNode(node);
+  vec4 node0 = fetchNode(max(node - 1, 0));
   bool joinedBefore = node > 0 && node0.w < 0.0;
   bool segment = node1.w < 0.0;
   if (joinedBefore && !segment)
@@ -168,12 +154,10 @@ void main()
     return;
   }
   int last = segment ? node + 1 : node;
-  vec4 node2 = texelFetch(nodes, last);
+  vec4 node2 = fetchNode(last);
   bool joinedAfter = segment && node2.w < 0.0;
   int after = joinedAfter ? last + 1 : last;
-  vec4 node3 = texelFetch(nodes, after);
-
-  //VTK::NodePoint::Impl
+  vec4 node3 = fetchNode(after);
 
   vec3 x1 = (nodeVCMatrix * vec4(node1.xyz, 1.0)).xyz;
   vec3 x2 = (nodeVCMatrix * vec4(node2.xyz, 1.0)).xyz;

@@ -258,6 +258,14 @@ inline std::vector<Segment> GetSegments(
 inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, int planes,
   const std::function<double(const Vector&, int)>& evaluatePlane)
 {
+  double begin = 0.0;
+  for (int k = 0; k < planes; ++k)
+  {
+    const double height = evaluatePlane(ray.Start, k);
+    const double slope = evaluatePlane(Combine(ray.Start, 1.0, ray.Direction), k) - height;
+    begin = slope > 0.0 ? std::max(begin, -height / slope) : begin;
+  }
+  const Vector start = Combine(ray.Start, begin, ray.Direction);
   std::vector<bool> startsInside;
   std::vector<double> exits;
   std::vector<Cone> cones;
@@ -266,7 +274,7 @@ inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, int planes
     cones.emplace_back(s, ray);
     startsInside.resize(s.Line + 1, false);
     exits.resize(s.Line + 1, std::numeric_limits<double>::infinity());
-    startsInside[s.Line] = startsInside[s.Line] || cones.back().Contains(ray.Start);
+    startsInside[s.Line] = startsInside[s.Line] || cones.back().Contains(start);
   }
   Hit first;
   for (std::size_t i = 0; i < segments.size(); ++i)
