@@ -532,6 +532,26 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkMatrix4x4> vtkRoundedConeMapper::GetPixelToView(vtkRenderer* renderer)
+{
+  // Of OpenGL and not of the renderer: render passes may draw to something of another size.
+  int viewport[4];
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkNew<vtkMatrix4x4> pixelToClip;
+  for (int i = 0; i < 2; ++i)
+  {
+    pixelToClip->SetElement(i, i, 2.0 / viewport[2 + i]);
+    pixelToClip->SetElement(3, i, -1.0 - 2.0 * viewport[i] / viewport[2 + i]);
+  }
+  pixelToClip->SetElement(3, 2, -1.0); // on the near plane
+  auto pixelToView = vtkSmartPointer<vtkMatrix4x4>::New();
+  vtkMatrix4x4::Multiply4x4(pixelToClip, this->ClipToView, pixelToView);
+  return pixelToView;
+}
+
+//------------------------------------------------------------------------------
 void vtkRoundedConeMapper::SetFrustum(vtkShaderProgram* program)
 {
   const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
@@ -571,6 +591,7 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   program->SetUniformMatrix("nodeVCMatrix", originToView);
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
+  program->SetUniformMatrix("pixelVCMatrix", this->GetPixelToView(renderer));
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
   this->SetFrustum(program);
 }

@@ -108,6 +108,9 @@ private:
   void SetClipParameters(vtkShaderProgram* program);
   void SetFrustum(vtkShaderProgram* program);
 
+  /** From window coordinates to the point of the near plane, transposed. */
+  vtkSmartPointer<vtkMatrix4x4> GetPixelToView(vtkRenderer* renderer);
+
   const vtkTrajectoryNodes* Nodes = nullptr;
   BufferTexture NodeTexture;
   BufferTexture RemainderTexture;

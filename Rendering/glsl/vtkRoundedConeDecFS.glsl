@@ -5,6 +5,7 @@
 // vtkRoundedConeVS.glsl writes (see there), and the intersection with the view ray.
 
 uniform mat4 VCDCMatrix;
+uniform mat4 pixelVCMatrix;  // window coordinates to VC
 uniform float perspective;
 smooth in vec3 quadLC;
 flat in vec2 rayLC;
@@ -14,6 +15,14 @@ flat in vec3 sideVC;
 flat in vec3 coneShape;
 flat in vec4 startPlaneLC;
 flat in vec4 endPlaneLC;
+flat in vec3 startJointVC;
+flat in vec3 startNormalVC;
+flat in vec3 startBendVC;
+flat in vec3 endJointVC;
+flat in vec3 endNormalVC;
+flat in vec3 endBendVC;
+
+const float JOINT_BAND = 0.004;  // in radii; far more than what segments differ by
 
 //VTK::NodeColor::Dec
 
@@ -85,10 +94,51 @@ vec3 segmentToView(vec3 v)
   return v.x * axisVC + v.y * sideVC + v.z * cross(axisVC, sideVC);
 }
 
-// Is the point on the segment's side of its two joint planes?
-bool betweenJoints(vec3 point)
+// Two segments compute the point where the ray hits them at their joint with different rounding: by
+// the points, both or none of them may own it. So near a joint plane its side (negative: that of the
+// segment before) follows from values that both compute in the same way, from joint, directions and
+// pixel: a ray that crosses the plane inside the tube enters the tube before and leaves it after,
+// one that crosses outside hits the tube on the side where it is nearest to the joint.
+float sideOfJoint(bool atEnd, float side)
 {
-  return dot(startPlaneLC, vec4(point, 1.0)) <= 0.0 && dot(endPlaneLC, vec4(point, 1.0)) < 0.0;
+  vec3 joint = atEnd ? endJointVC : startJointVC;
+  vec3 normal = atEnd ? endNormalVC : startNormalVC;
+  vec3 bend = atEnd ? endBendVC : startBendVC;
+  vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
+  vec3 direction = vec3(perspective > 0.5 ? pixel.xy / -pixel.z : vec2(0.0), -1.0);
+  vec3 origin =
+    vec3((perspective > 0.5 ? direction.xy * -joint.z : pixel.xy) - joint.xy, 0.0);
+  float climb = dot(normal, direction);
+  vec3 crossing = origin - dot(normal, origin) / climb * direction;
+
+  // In the plane the two axes lie opposite to each other.
+  float inward = -dot(crossing, bend);
+  float aside = sqrt(max(dot(crossing, crossing) - inward * inward, 0.0));
+  float slope = atEnd ? -coneShape.z : coneShape.z;
+  float radius = coneShape.y + slope * coneShape.x;
+  float ball = clamp(
+    inward - aside * slope / sqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
+  if (length(vec2(inward - ball, aside)) <= radius - slope * ball)
+  {
+    return side * climb;
+  }
+  vec3 nearest = origin - dot(origin, direction) / dot(direction, direction) * direction;
+  return dot(normal, nearest);
+}
+
+// Is the hit on the segment's side of its two joint planes?
+bool betweenJoints(vec3 point, float side)
+{
+  float start = dot(startPlaneLC, vec4(point, 1.0));
+  float end = dot(endPlaneLC, vec4(point, 1.0));
+  bool atEnd = abs(end) < abs(start);
+  if (min(abs(start), abs(end)) < JOINT_BAND * coneShape.y && coneShape.x > 0.0)
+  {
+    float height = sideOfJoint(atEnd, side);
+    start = atEnd ? start : -height;
+    end = atEnd ? height : end;
+  }
+  return start <= 0.0 && end < 0.0;
 }
 
 //VTK::Exit::Dec

@@ -108,8 +108,8 @@ float enterJoint(vec3 origin, vec3 direction, int joint, float side)
   }
   vec3 point = fetchNode(joint).xyz;
   mat3 nodeVC = mat3(nodeVCMatrix);
-  vec3 normal = bisector(
-    nodeVC * (point - fetchNode(joint - 1).xyz), nodeVC * (fetchNode(joint + 1).xyz - point));
+  vec3 normal = bisector(normalize(nodeVC * (point - fetchNode(joint - 1).xyz)),
+    normalize(nodeVC * (fetchNode(joint + 1).xyz - point)));
   float slope = dot(normal, direction);
   return slope * side > 0.0 ? dot(normal, fetchBall(joint).xyz - origin) / slope : -FAR;
 }
@@ -129,8 +129,9 @@ bool startsInside(ConeRay ray)
     float fromAfter = enterJoint(origin, direction, last, -1.0);
     float joint = max(fromBefore, fromAfter);
     float entry = max(inside.x, joint);
-    // A ray that does not reach the next segment passes between tubes of different radius.
-    if (entry >= reached || (i > 0 && inside.y < reached))
+    // A ray that does not reach the joint passes between tubes of different radius. It may leave the
+    // tube at the joint, where rounding must not decide.
+    if (entry >= reached || (i > 0 && inside.y < reached - 1e-4 * coneShape.y))
     {
       return false;
     }

@@ -3,6 +3,6 @@
   shown = shown && !isCut(hit.xyz);
   if (!shown)
   {
-    shown = hitCone(ray, 1.0, hit) && betweenJoints(hit.xyz) && !isCut(hit.xyz) && startsInside(ray);
+    shown = hitCone(ray, 1.0, hit) && betweenJoints(hit.xyz, 1.0) && !isCut(hit.xyz) && startsInside(ray);
     facing = -1.0;
   }

@@ -8,7 +8,7 @@
     discard;
   }
   float facing = 1.0;
-  bool shown = betweenJoints(hit.xyz);
+  bool shown = betweenJoints(hit.xyz, -1.0);
   //VTK::Exit::Impl
   if (!shown)
   {

@@ -26,6 +26,15 @@ flat out vec3 coneShape;     // half length, radius in the middle, decrease of t
 flat out vec4 startPlaneLC;  // the segment lies where dot(plane, (p, 1)) <= 0
 flat out vec4 endPlaneLC;    // ... and < 0
 
+// For each joint in VC: its point, the unit normal of its plane towards the segment after, and half
+// the difference of the unit directions before and after.
+flat out vec3 startJointVC;
+flat out vec3 startNormalVC;
+flat out vec3 startBendVC;
+flat out vec3 endJointVC;
+flat out vec3 endNormalVC;
+flat out vec3 endBendVC;
+
 //VTK::CustomUniforms::Dec
 
 //VTK::NodeColor::Dec
@@ -37,11 +46,16 @@ flat out vec4 endPlaneLC;    // ... and < 0
 //VTK::Picking::Dec
 
 const float WHOLE_VIEW = 0.05;  // an eye nearer than this to the surface, in radii, gets a full quad
-const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1.0);
+const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1e30);
 
 float cross2(vec2 a, vec2 b)
 {
   return a.x * b.y - a.y * b.x;
+}
+
+vec4 jointPlane(vec3 normal, vec3 point)
+{
+  return dot(normal, normal) > 0.0 ? vec4(normal, -dot(normal, point)) : NO_PLANE;
 }
 
 vec3 anyNormal(vec3 v)
@@ -144,6 +158,12 @@ void main()
   coneShape = vec3(0.0);
   startPlaneLC = NO_PLANE;
   endPlaneLC = NO_PLANE;
+  startJointVC = vec3(0.0);
+  startNormalVC = vec3(0.0);
+  startBendVC = vec3(0.0);
+  endJointVC = vec3(0.0);
+  endNormalVC = vec3(0.0);
+  endBendVC = vec3(0.0);
 
   vec4 node1 = fetchNode(node);
   vec4 node0 = fetchNode(max(node - 1, 0));
@@ -214,16 +234,23 @@ void main()
 
   mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
   mat3 nodeVC = mat3(nodeVCMatrix);
-  vec3 direction = nodeVC * (node2.xyz - node1.xyz);
   if (joinedBefore)
   {
-    startPlaneLC.xyz = -(toLC * bisector(nodeVC * (node1.xyz - node0.xyz), direction));
-    startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
+    vec3 before = normalize(nodeVC * (node1.xyz - node0.xyz));
+    vec3 after = normalize(nodeVC * (node2.xyz - node1.xyz));
+    startJointVC = joint1;
+    startNormalVC = bisector(before, after);
+    startBendVC = 0.5 * (before - after);
+    startPlaneLC = jointPlane(toLC * -startNormalVC, toLC * (joint1 - centerVC));
   }
   if (joinedAfter)
   {
-    endPlaneLC.xyz = toLC * bisector(direction, nodeVC * (node3.xyz - node2.xyz));
-    endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
+    vec3 before = normalize(nodeVC * (node2.xyz - node1.xyz));
+    vec3 after = normalize(nodeVC * (node3.xyz - node2.xyz));
+    endJointVC = joint2;
+    endNormalVC = bisector(before, after);
+    endBendVC = 0.5 * (before - after);
+    endPlaneLC = jointPlane(toLC * endNormalVC, toLC * (joint2 - centerVC));
   }
 
   End end1 = End(-halfLength, r1, false);

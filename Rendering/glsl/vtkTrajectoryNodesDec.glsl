@@ -22,8 +22,9 @@ vec4 fetchNode(int index)
 // The normal of a joint plane: it halves the angle between the segments that meet there. Zero where
 // the line turns straight back. (Normal to the chord from the previous to the next node, as in Gross
 // and Gumhold 2021, eq. 11, the plane would cut segments of unequal length in different ellipses.)
+// Arguments are unit directions.
 vec3 bisector(vec3 before, vec3 after)
 {
-  vec3 sum = normalize(before) + normalize(after);
+  vec3 sum = before + after;
   return dot(sum, sum) > 1e-12 ? normalize(sum) : vec3(0.0);
 }

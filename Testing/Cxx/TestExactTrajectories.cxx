@@ -140,6 +140,22 @@ bool TestEyeInsideATube()
   return Compare(scene, "eye inside a tube");
 }
 
+// Joints nearly in every pixel: some hits lie within rounding of a joint plane.
+bool TestDenseJoints()
+{
+  SphereScene scene(1000, 400, 0, 0, 0);
+  AddLines(scene, MakeLines(1, 800, 0), 0.15, 0.4);
+  scene.Renderer->ResetCamera();
+  scene.Renderer->GetActiveCamera()->Zoom(2.0);
+  bool passed = true;
+  for (int view = 0; view < 8; ++view)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(3.0);
+    passed &= Compare(scene, "dense joints, view " + std::to_string(view));
+  }
+  return passed;
+}
+
 bool TestClippingPlanes()
 {
   SphereScene scene(320, 240, 0, 0, 0);
@@ -219,6 +235,7 @@ int TestExactTrajectories(int, char*[])
   passed &= TestMixedScene();
   passed &= TestParallelProjection();
   passed &= TestEyeInsideATube();
+  passed &= TestDenseJoints();
   passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
   passed &= TestOnePixel();
