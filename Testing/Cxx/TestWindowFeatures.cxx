@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What a window and its renderers can do besides works as before: volumes, overlays, SSAO and FXAA,
-// transparent backgrounds, tiled screenshots, props that take no part, and OpenGL before 4.3.
+// transparent backgrounds, tiled screenshots, and props that take no part.
 #include "Picture.h"
 #include "ReferenceComparison.h"
 #include "SphereScene.h"
@@ -42,6 +42,7 @@ void AddVolume(vtkRenderer* renderer)
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
   volume->SetScale(0.1);
+  volume->GetProperty()->ShadeOn();
   volume->GetProperty()->SetScalarOpacity(opacity);
   volume->GetProperty()->SetColor(color);
   renderer->AddVolume(volume);
@@ -206,25 +207,6 @@ bool TestPropThatTakesNoPart()
     Check(covered > 300, std::to_string(covered) + " pixels show the prop that takes no part");
   return passed;
 }
-
-bool TestOldOpenGL()
-{
-  setenv("MESA_GL_VERSION_OVERRIDE", "4.2", 1);
-  SphereScene scene(200, 150, 0, 8, 1);
-  const Picture stock = Picture::Render(scene.Window);
-  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
-  vtkNew<vtkTest::ErrorObserver> observer;
-  pass->AddObserver(vtkCommand::WarningEvent, observer);
-  bool passed = Check(Picture::Render(scene.Window) == stock, "old OpenGL: not VTK's own picture");
-  passed &= Check(observer->GetWarning() &&
-      observer->GetWarningMessage().find("needs OpenGL 4.3, found \"4.2") != std::string::npos,
-    "old OpenGL: no warning of what was found and what is needed");
-  observer->Clear();
-  Picture::Render(scene.Window);
-  passed &= Check(!observer->GetWarning(), "old OpenGL: the warning is repeated");
-  unsetenv("MESA_GL_VERSION_OVERRIDE");
-  return passed;
-}
 }
 
 int TestWindowFeatures(int, char*[])
@@ -234,6 +216,5 @@ int TestWindowFeatures(int, char*[])
   passed &= TestTransparentBackground();
   passed &= TestTiledScreenshot();
   passed &= TestPropThatTakesNoPart();
-  passed &= TestOldOpenGL();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
