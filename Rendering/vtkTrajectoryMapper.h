@@ -8,15 +8,18 @@
  * whose centre and radius lie linearly between those of its ends. It is drawn as one view-aligned
  * quad on which each pixel intersects the view ray with the cone (M. Gross and S. Gumhold, Advanced
  * Rendering of Line Data with Ambient Occlusion and Transparency, 2021, section 5). At the joints
- * of a line the segments are cut by planes (eq. 11 there), so that a ray that passes once through a
- * tube makes one fragment; line ends keep their round caps. Where the near plane or a clipping
- * plane opens a tube its inner wall shows. Vertices, and lines of one point, are balls; polygons
- * and strips look as vtkPolyDataMapper draws them.
+ * of a line the segments are cut by the bisector planes, normal to the sum of the two unit
+ * directions, so that a ray that passes once through a tube makes one fragment. (The planes of
+ * eq. 11 there, normal to the chord between the neighbouring points, leave gaps in the outline
+ * between segments of unequal length.) Line ends keep their round caps. Where the near plane or a
+ * clipping plane opens a tube its inner wall shows, at most 256 segments away from where the view
+ * ray starts. Vertices, and lines of one point, are balls; polygons and strips look as
+ * vtkPolyDataMapper draws them.
  *
  * Colours, materials, lights, render passes, clipping planes, picking and hardware selection are
  * those of vtkPolyDataMapper; a selection by points returns the nearer end of the segment hit.
  * Colours, or the scalars where InterpolateScalarsBeforeMapping is on, change linearly from ball to
- * ball.
+ * ball; where one ball of a segment contains the other, its colour is that of the larger.
  *
  * Radii are in world units whatever the scale of the actor, so that a stretched axis does not
  * flatten tubes. Bounds include the radius for an actor that is not scaled.
@@ -26,9 +29,8 @@
  * segment with radius 0 at both ends is not drawn. In composite data, leaves that lack the array to
  * colour by take the colour of the actor's property.
  *
- * Cost: 16 bytes of graphics memory for a point and 4 for its colour. Work on the CPU happens when
- * the data, radii or colours change, and for each frame only while the eye is among the
- * trajectories.
+ * Cost: 16 bytes of graphics memory for a point and 4 for its colour. Work on the CPU happens only
+ * when the data, radii or colours change.
  *
  * @sa vtkExactTransparencyPass vtkTubeFilter vtkPolyDataMapper
  */

@@ -135,8 +135,11 @@ struct TubePoint
 
 /**
  * The part of a tube that belongs to one segment of its polyline: the rounded cone between the
- * points `first` and `last`, as far as it lies on this segment's side of the planes that halve the
- * angle at inner points (Gross and Gumhold 2021, eq. 11). A point on such a plane belongs to the
+ * points `first` and `last`, as far as it lies on this segment's side of the bisector planes at
+ * inner points: normal to the sum of the unit directions of the two segments that meet there. The
+ * planes of Gross and Gumhold 2021, eq. 11, normal to the chord from the previous to the next
+ * point, are the same where both segments have one length; elsewhere the cross-sections of the two
+ * tubes in them differ, and rays that pass between miss both. A point on a plane belongs to the
  * segment that starts there. A sphere is a tube of one piece whose two points are the same.
  */
 template <typename Real>
@@ -204,14 +207,14 @@ private:
       std::isfinite(point.position.z) && std::isfinite(point.radius);
   }
 
-  /** The plane between the segments that meet at a point; none where the line turns straight back.
-   */
+  /** The plane that halves the angle between the segments that meet at a point; none where the line
+   * turns straight back, to 1e-6 radians. */
   static HalfSpace<Real> JointPlane(
     const Vector3<Real>& previous, const Vector3<Real>& point, const Vector3<Real>& next)
   {
-    const Vector3<Real> chord = next - previous;
-    const Real length = glm::length(chord);
-    return { point, length > 0 ? chord / length : Vector3<Real>(Real(0)) };
+    const Vector3<Real> sum = glm::normalize(point - previous) + glm::normalize(next - point);
+    const Real length = glm::length(sum);
+    return { point, length > Real(1e-6) ? sum / length : Vector3<Real>(Real(0)) };
   }
 
   void AddRun(const std::vector<TubePoint<Real>>& run, std::uint32_t surface)

@@ -25,6 +25,7 @@
 #include "vtkRoundedConeExitImplFS.h"
 #include "vtkRoundedConeImplFS.h"
 #include "vtkRoundedConeVS.h"
+#include "vtkTrajectoryNodesDec.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ namespace
 // Quads that one draw call takes: they share one index buffer of this length.
 constexpr vtkIdType QuadsPerDraw = 65536;
 
-// VTK's own limit, and the size of the array in the shader.
+// VTK's own limit; the array in the shader also holds the near plane.
 constexpr int MaximumClippingPlanes = 6;
 
 // A shader source that substitutes as vtkShaderProgram does, and is stored back when it goes.
@@ -255,6 +256,7 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
   this->ViewToClip->DeepCopy(viewToClip);
   vtkMatrix4x4::Invert(viewToClip, this->ClipToView);
   this->Parallel = camera->GetParallelProjection() != 0;
+  this->NearPlane = static_cast<float>(camera->GetClippingRange()[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -276,15 +278,6 @@ void vtkRoundedConeMapper::UpdateCutOpen()
   }
   trajectories.Inflate(this->Nodes->GetMaximumRadius());
 
-  this->EnteredTubes.clear();
-  if (trajectories.Intersects(corners))
-  {
-    vtkEnteredTubes::NearPlane nearPlane;
-    corners.GetCenter(nearPlane.Center.data());
-    nearPlane.Radius = 0.5 * corners.GetDiagonalLength();
-    nearPlane.Parallel = this->Parallel;
-    this->EnteredTubes = vtkEnteredTubes::Find(*this->Nodes, this->NodeToView, nearPlane);
-  }
   const bool cutOpen = this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
   if (cutOpen != this->CutOpen)
   {
@@ -382,36 +375,24 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     fragment.Replace("//VTK::Depth::Impl", vtkRoundedConeImplFS);
     if (this->CutOpen)
     {
-      vertex.Replace("//VTK::Exit::Dec",
-        "uniform int enteredCount;\n"
-        "uniform int enteredStretches[64];\n"
-        "flat out int enteredMask;\n");
-      vertex.Replace("//VTK::Exit::Impl",
-        "enteredMask = 0;\n"
-        "  for (int i = 0; i < enteredCount; ++i)\n"
-        "  {\n"
-        "    bool seen = enteredStretches[2 * i] <= node && node <= enteredStretches[2 * i + 1];\n"
-        "    enteredMask |= seen ? 1 << i : 0;\n"
-        "  }\n");
-      fragment.Replace("//VTK::Exit::Dec", vtkRoundedConeExitDecFS);
+      vertex.Replace("//VTK::Exit::Dec", "flat out int segmentNode;\n");
+      vertex.Replace("//VTK::Exit::Impl", "segmentNode = node;\n");
+      fragment.Replace(
+        "//VTK::Exit::Dec", std::string("//VTK::TrajectoryNodes::Dec\n") + vtkRoundedConeExitDecFS);
       fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
     }
 
-    if (!this->Nodes->GetRemainders().empty())
+    for (ShaderEdit* shader : { &vertex, &fragment })
     {
-      vertex.Replace("//VTK::NodePoint::Dec",
-        "uniform samplerBuffer nodeRemainders;\n"
-        "uniform vec3 origin;\n"
-        "vec3 fromOrigin(vec3 point, int index)\n"
-        "{\n"
-        "  vec3 remainder = texelFetch(nodeRemainders, index).xyz;\n"
-        "  return (point - origin) + remainder;\n"
-        "}\n");
-      vertex.Replace("//VTK::NodePoint::Impl",
-        "node0.xyz = fromOrigin(node0.xyz, max(node - 1, 0));\n"
-        "  node1.xyz = fromOrigin(node1.xyz, node);\n"
-        "  node2.xyz = fromOrigin(node2.xyz, last);\n"
-        "  node3.xyz = fromOrigin(node3.xyz, after);\n");
+      shader->Replace("//VTK::TrajectoryNodes::Dec", vtkTrajectoryNodesDec);
+      if (!this->Nodes->GetRemainders().empty())
+      {
+        shader->Replace("//VTK::NodeRemainder::Dec",
+          "uniform samplerBuffer nodeRemainders;\n"
+          "uniform vec3 nodeOrigin;\n");
+        shader->Replace("//VTK::NodeRemainder::Impl",
+          "node.xyz = (node.xyz - nodeOrigin) + texelFetch(nodeRemainders, index).xyz;\n");
+      }
     }
     if (this->Source != ColorSource::Property)
     {
@@ -425,9 +406,9 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
           "flat out " +
           type + " endColor;\n");
       vertex.Replace("//VTK::NodeColor::Impl",
-        "startColor = texelFetch(nodeColors, node)" + swizzle +
+        "startColor = texelFetch(nodeColors, firstBall)" + swizzle +
           ";\n"
-          "  endColor = texelFetch(nodeColors, last)" +
+          "  endColor = texelFetch(nodeColors, lastBall)" +
           swizzle + ";\n");
       fragment.Replace("//VTK::NodeColor::Dec",
         "flat in " + type +
@@ -490,7 +471,7 @@ void vtkRoundedConeMapper::ReplaceShaderPicking(Shaders shaders, vtkRenderer*, v
   const bool points =
     pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
   vertex.Replace("//VTK::Picking::Dec", "flat out ivec2 nodeIds;\n");
-  vertex.Replace("//VTK::Picking::Impl", "nodeIds = ivec2(node, last);\n");
+  vertex.Replace("//VTK::Picking::Impl", "nodeIds = ivec2(firstBall, lastBall);\n");
   fragment.Replace("//VTK::Picking::Dec", "flat in ivec2 nodeIds;\n");
   fragment.Replace("//VTK::Picking::Impl",
     std::string("int id = ") + (points ? "hit.w > 0.0 ? nodeIds.y : nodeIds.x" : "nodeIds.x") +
@@ -508,7 +489,7 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   if (!this->Nodes->GetRemainders().empty())
   {
     program->SetUniformi("nodeRemainders", this->RemainderTexture.Texture->GetTextureUnit());
-    program->SetUniform3f("origin", this->Origin.data());
+    program->SetUniform3f("nodeOrigin", this->Origin.data());
   }
   if (this->Source != ColorSource::Property)
   {
@@ -539,30 +520,15 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
   vtkNew<vtkMatrix4x4> viewToWorld;
   vtkMatrix4x4::Invert(this->WorldToView, viewToWorld);
   viewToWorld->Transpose();
-  float planes[MaximumClippingPlanes][4] = {};
+  float planes[1 + MaximumClippingPlanes][4] = { { 0.0f, 0.0f, -1.0f, -this->NearPlane } };
   for (int i = 0; i < count; ++i)
   {
     double plane[4];
     this->GetClippingPlaneInDataCoords(viewToWorld, i, plane);
-    std::copy(plane, plane + 4, planes[i]);
+    std::copy(plane, plane + 4, planes[1 + i]);
   }
-  program->SetUniformi("clipPlaneCount", count);
-  program->SetUniform4fv("clipPlanesVC", MaximumClippingPlanes, planes);
-
-  float balls[2 * vtkEnteredTubes::Maximum][4] = {};
-  int stretches[2 * vtkEnteredTubes::Maximum] = {};
-  const int entered = static_cast<int>(this->EnteredTubes.size());
-  for (int i = 0; i < entered; ++i)
-  {
-    const vtkEnteredTubes::Tube& tube = this->EnteredTubes[i];
-    std::copy(tube.Balls[0].begin(), tube.Balls[0].end(), balls[2 * i]);
-    std::copy(tube.Balls[1].begin(), tube.Balls[1].end(), balls[2 * i + 1]);
-    stretches[2 * i] = static_cast<int>(tube.First);
-    stretches[2 * i + 1] = static_cast<int>(tube.Last);
-  }
-  program->SetUniformi("enteredCount", entered);
-  program->SetUniform4fv("enteredBalls", 2 * vtkEnteredTubes::Maximum, balls);
-  program->SetUniform1iv("enteredStretches", 2 * vtkEnteredTubes::Maximum, stretches);
+  program->SetUniformi("clipPlaneCount", 1 + count);
+  program->SetUniform4fv("clipPlanesVC", 1 + MaximumClippingPlanes, planes);
 }
 
 //------------------------------------------------------------------------------
@@ -606,8 +572,6 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
-  program->SetUniformf(
-    "nearVC", static_cast<float>(renderer->GetActiveCamera()->GetClippingRange()[0]));
   this->SetFrustum(program);
 }
 

@@ -17,7 +17,6 @@
 #ifndef vtkRoundedConeMapper_h
 #define vtkRoundedConeMapper_h
 
-#include "vtkEnteredTubes.h"
 #include "vtkMatrix4x4.h" // for camera and actor
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h" // for buffer textures
@@ -126,8 +125,8 @@ private:
   vtkNew<vtkMatrix4x4> ClipToView;
   std::array<float, 3> Origin{ { 0.0f, 0.0f, 0.0f } }; ///< near the eye, for nodes with remainders
   bool Parallel = false;
+  float NearPlane = 0.0f; ///< its distance
 
-  std::vector<vtkEnteredTubes::Tube> EnteredTubes;
   bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
   vtkTimeStamp ShaderVariantTime;
 };

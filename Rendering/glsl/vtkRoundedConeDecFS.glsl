@@ -85,7 +85,7 @@ vec3 segmentToView(vec3 v)
   return v.x * axisVC + v.y * sideVC + v.z * cross(axisVC, sideVC);
 }
 
-// Is the point on the segment's side of its two joints (Gross and Gumhold 2021, eq. 11)?
+// Is the point on the segment's side of its two joint planes?
 bool betweenJoints(vec3 point)
 {
   return dot(startPlaneLC, vec4(point, 1.0)) <= 0.0 && dot(endPlaneLC, vec4(point, 1.0)) < 0.0;

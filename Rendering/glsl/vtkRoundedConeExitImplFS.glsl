@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
-  bool cutOpen = isCut(hit.xyz);
-  shown = shown && !cutOpen;
-  if (!shown && (cutOpen || startsInside(ray.direction)))
+  shown = shown && !isCut(hit.xyz);
+  if (!shown)
   {
-    shown = hitCone(ray, 1.0, hit) && betweenJoints(hit.xyz) && !isCut(hit.xyz);
+    shown = hitCone(ray, 1.0, hit) && betweenJoints(hit.xyz) && !isCut(hit.xyz) && startsInside(ray);
     facing = -1.0;
   }

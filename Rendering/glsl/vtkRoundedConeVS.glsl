@@ -12,11 +12,6 @@
 // Frames: VC view coordinates; LC the frame of a segment: origin in its middle, x along its axis,
 // y in the plane of axis and view ray, z across.
 
-// xyz: point minus the centre of the data, data units. |w|: radius, world units; w < 0: a segment
-// leads to the next node.
-uniform samplerBuffer nodes;
-
-uniform mat4 nodeVCMatrix;  // node to VC
 uniform mat4 VCDCMatrix;
 uniform mat4 DCVCMatrix;
 uniform vec4 frustumVC[6];  // inward planes, unit normals
@@ -35,7 +30,7 @@ flat out vec4 endPlaneLC;    // ... and < 0
 
 //VTK::NodeColor::Dec
 
-//VTK::NodePoint::Dec
+//VTK::TrajectoryNodes::Dec
 
 //VTK::Exit::Dec
 
@@ -150,8 +145,8 @@ void main()
   startPlaneLC = NO_PLANE;
   endPlaneLC = NO_PLANE;
 
-  vec4 node1 = texelFetch(nodes, node);
-  vec4 node0 = texelFetch(nodes, max(node - 1, 0));
+  vec4 node1 = fetchNode(node);
+  vec4 node0 = fetchNode(max(node - 1, 0));
   bool joinedBefore = node > 0 && node0.w < 0.0;
   bool segment = node1.w < 0.0;
   if (joinedBefore && !segment)
@@ -159,18 +154,10 @@ void main()
     return;
   }
   int last = segment ? node + 1 : node;
-  vec4 node2 = texelFetch(nodes, last);
+  vec4 node2 = fetchNode(last);
   bool joinedAfter = segment && node2.w < 0.0;
   int after = joinedAfter ? last + 1 : last;
-  vec4 node3 = texelFetch(nodes, after);
-
-  //VTK::NodeColor::Impl
-
-  //VTK::Exit::Impl
-
-  //VTK::Picking::Impl
-
-  //VTK::NodePoint::Impl
+  vec4 node3 = fetchNode(after);
 
   vec3 x1 = (nodeVCMatrix * vec4(node1.xyz, 1.0)).xyz;
   vec3 x2 = (nodeVCMatrix * vec4(node2.xyz, 1.0)).xyz;
@@ -193,15 +180,25 @@ void main()
   vec3 joint1 = x1;
   vec3 joint2 = x2;
   float len = length(x2 - x1);
+  int firstBall = node;
+  int lastBall = last;
   if (len <= abs(r1 - r2) * 1.0001)
   {
     // one ball contains the other
+    firstBall = r1 > r2 ? node : last;
+    lastBall = firstBall;
     x1 = r1 > r2 ? x1 : x2;
     x2 = x1;
     r1 = max(r1, r2);
     r2 = r1;
     len = 0.0;
   }
+
+  //VTK::NodeColor::Impl
+
+  //VTK::Exit::Impl
+
+  //VTK::Picking::Impl
 
   centerVC = 0.5 * (x1 + x2);
   vec3 view = perspective > 0.5 ? centerVC : vec3(0.0, 0.0, -1.0);
@@ -217,23 +214,16 @@ void main()
 
   mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
   mat3 nodeVC = mat3(nodeVCMatrix);
+  vec3 direction = nodeVC * (node2.xyz - node1.xyz);
   if (joinedBefore)
   {
-    vec3 direction = nodeVC * (node0.xyz - node2.xyz);
-    if (dot(direction, direction) > 0.0)
-    {
-      startPlaneLC.xyz = toLC * normalize(direction);
-      startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
-    }
+    startPlaneLC.xyz = -(toLC * bisector(nodeVC * (node1.xyz - node0.xyz), direction));
+    startPlaneLC.w = -dot(startPlaneLC.xyz, toLC * (joint1 - centerVC));
   }
   if (joinedAfter)
   {
-    vec3 direction = nodeVC * (node3.xyz - node1.xyz);
-    if (dot(direction, direction) > 0.0)
-    {
-      endPlaneLC.xyz = toLC * normalize(direction);
-      endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
-    }
+    endPlaneLC.xyz = toLC * bisector(direction, nodeVC * (node3.xyz - node2.xyz));
+    endPlaneLC.w = -dot(endPlaneLC.xyz, toLC * (joint2 - centerVC));
   }
 
   End end1 = End(-halfLength, r1, false);

@@ -9,6 +9,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -139,6 +140,23 @@ bool TestEyeInsideATube()
   return Compare(scene, "eye inside a tube");
 }
 
+bool TestClippingPlanes()
+{
+  SphereScene scene(320, 240, 0, 0, 0);
+  vtkActor* actor = AddLines(scene, MakeLines(12, 200, 0), 0.15, 0.4);
+  vtkNew<vtkPlane> across;
+  across->SetNormal(0.4, -0.3, -1.0);
+  actor->GetMapper()->AddClippingPlane(across);
+  vtkNew<vtkPlane> aside;
+  aside->SetOrigin(-0.3, 0.0, 0.0);
+  aside->SetNormal(1.0, 0.2, 0.1);
+  actor->GetMapper()->AddClippingPlane(aside);
+  bool passed = Compare(scene, "tubes cut open by two planes");
+  vtkTrajectoryMapper::SafeDownCast(actor->GetMapper())->SetRadiusArray("Radius");
+  passed &= Compare(scene, "radii from an array, cut open by two planes");
+  return passed;
+}
+
 bool TestLargeCoordinates()
 {
   SphereScene scene(320, 240, 0, 0, 0);
@@ -201,6 +219,7 @@ int TestExactTrajectories(int, char*[])
   passed &= TestMixedScene();
   passed &= TestParallelProjection();
   passed &= TestEyeInsideATube();
+  passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
   passed &= TestOnePixel();
   passed &= TestSameBits();

@@ -66,6 +66,35 @@ vtkSmartPointer<vtkPolyData> MakeHelices(int lines, int points)
   return data;
 }
 
+/** Lines along which balls contain others: large in small, small in large, and both. */
+vtkSmartPointer<vtkPolyData> MakeContainedBalls()
+{
+  const double values[][3] = { { -1.5, 0.5, 0 }, { -1.3, 0.2, 1 }, { -0.5, 0.2, 0 },
+    { -0.4, 0.5, 1 }, { 0.8, 0.6, 0 }, { 1.0, 0.3, 1 }, { 1.1, 0.7, 0.5 } };
+  const vtkIdType ends[] = { 0, 2, 4, 7 };
+  vtkNew<vtkPoints> positions;
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  vtkNew<vtkDoubleArray> scalars;
+  vtkNew<vtkCellArray> cells;
+  for (int line = 0; line < 3; ++line)
+  {
+    cells->InsertNextCell(static_cast<int>(ends[line + 1] - ends[line]));
+    for (vtkIdType i = ends[line]; i < ends[line + 1]; ++i)
+    {
+      cells->InsertCellPoint(positions->InsertNextPoint(values[i][0], 0.0, 0.1 * values[i][0]));
+      radii->InsertNextValue(values[i][1]);
+      scalars->InsertNextValue(values[i][2]);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(positions);
+  data->SetLines(cells);
+  data->GetPointData()->AddArray(radii);
+  data->GetPointData()->SetScalars(scalars);
+  return data;
+}
+
 struct Scene
 {
   Scene()
@@ -151,6 +180,13 @@ int TestReferenceTrajectories(int, char*[])
         s.Camera()->SetPosition(position[0] + 6.4e6, position[1] - 3.2e6, position[2] + 1e5);
         const double* focus = s.Camera()->GetFocalPoint();
         s.Camera()->SetFocalPoint(focus[0] + 6.4e6, focus[1] - 3.2e6, focus[2] + 1e5);
+      } },
+    { "balls in balls",
+      [](Scene& s)
+      {
+        s.Mapper->SetInputData(MakeContainedBalls());
+        s.Mapper->SetRadiusArray("Radius");
+        s.Mapper->ScalarVisibilityOn();
       } },
     { "clipping plane", Clip },
     { "eye inside a tube", LookFromInside },

@@ -125,7 +125,21 @@ void TestBends(Checks& checks)
   checks.True("zigzag is seen", counts[1] > 1000);
   checks.Near("zigzag, pixels with more than one fragment", counts[2] + counts[3], 0, 0);
 
-  // The same, narrowing and widening. At the joints the mantles differ a little.
+  // The same with segments of unequal length: their cross-sections meet in the bisector planes, so
+  // that the mantle is covered where the balls of the line are.
+  auto unequal = MakeScene<double>(200, 120, 10);
+  unequal.AddTube(
+    MakeLine<double>({ { -7, -4, -6 }, { -2, 1, -6 }, { -1, 0, -6 }, { 4, 5, -6 } }, 0.6), 0);
+  auto balls = MakeScene<double>(200, 120, 10);
+  for (const auto& piece : unequal.tubePieces)
+  {
+    balls.AddTube({ unequal.tubePoints[piece.first], unequal.tubePoints[piece.last] }, 0);
+  }
+  counts = CountPixels(unequal);
+  checks.Near("unequal lengths, pixels with more than one fragment", counts[2] + counts[3], 0, 0);
+  checks.Near("unequal lengths, pixels with none", counts[0], CountPixels(balls)[0], 0);
+
+  // The first, narrowing and widening. At the joints the mantles differ a little.
   auto varying = MakeScene<double>(200, 120, 10);
   auto line = MakeLine<double>({ { -6, -2, -6 }, { -2, 2, -6 }, { 2, -2, -6 }, { 6, 2, -6 } }, 0.7);
   line[1].radius = 0.4;
@@ -201,12 +215,12 @@ void TestRandomCuts(Checks& checks)
     auto scene = MakeScene<double>(16, 16, 2);
     scene.surfaces.front().clipping.push_back(
       { Vec<double>(0, 0, -5), glm::normalize(Vec<double>(uniform(generator), 0.3, -1)) });
-    // Segments of equal length meet without a step in the joint plane.
     std::vector<Vec<double>> points{ { -4, 0, -5.5 } };
     for (int i = 0; i < 5; ++i)
     {
       points.push_back(points.back() +
-        1.8 * glm::normalize(Vec<double>(1, 0.7 * uniform(generator), 0.7 * uniform(generator))));
+        (1.8 + 0.8 * uniform(generator)) *
+          glm::normalize(Vec<double>(1, 0.7 * uniform(generator), 0.7 * uniform(generator))));
     }
     scene.AddTube(MakeLine(points, 0.8), 0);
     for (int pixel = 0; pixel < 16; ++pixel)

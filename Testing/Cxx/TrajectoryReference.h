@@ -64,6 +64,22 @@ inline Vector Transform(vtkMatrix4x4* matrix, const Vector& v, double w)
   return { { scale * p[0], scale * p[1], scale * p[2] } };
 }
 
+// Unit length; 0 for a vector of length 0.
+inline Vector Normalize(const Vector& a)
+{
+  const double length = Length(a);
+  return Combine({ { 0, 0, 0 } }, length > 0.0 ? 1.0 / length : 0.0, a);
+}
+
+// Normal of the plane that halves the angle at a joint; 0 where the line turns straight back.
+inline Vector Bisector(const Vector& from, const Vector& joint, const Vector& to)
+{
+  const Vector before = Normalize(Combine(joint, -1.0, from));
+  const Vector after = Normalize(Combine(to, -1.0, joint));
+  const Vector sum = Combine(before, 1.0, after);
+  return Length(sum) > 1e-6 ? Normalize(sum) : Vector{ { 0, 0, 0 } };
+}
+
 struct Segment
 {
   Vector Ends[2];
@@ -221,15 +237,10 @@ inline std::vector<Segment> GetSegments(
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
       Segment s{ { points[i], points[i + 1] }, { sizes[i], sizes[i + 1] }, {}, line };
-      const auto plane = [](const Vector& from, const Vector& to)
-      {
-        const Vector way = Combine(to, -1.0, from);
-        const double length = Length(way);
-        return length > 0.0 ? Combine({ { 0, 0, 0 } }, 1.0 / length, way) : Vector{ { 0, 0, 0 } };
-      };
-      s.Normals[0] = i > 0 ? plane(points[i + 1], points[i - 1]) : Vector{ { 0, 0, 0 } };
-      s.Normals[1] =
-        i + 2 < points.size() ? plane(points[i], points[i + 2]) : Vector{ { 0, 0, 0 } };
+      s.Normals[0] =
+        i > 0 ? Bisector(points[i + 1], points[i], points[i - 1]) : Vector{ { 0, 0, 0 } };
+      s.Normals[1] = i + 2 < points.size() ? Bisector(points[i], points[i + 1], points[i + 2])
+                                           : Vector{ { 0, 0, 0 } };
       segments.push_back(s);
     }
     ++line;
@@ -247,6 +258,14 @@ inline std::vector<Segment> GetSegments(
 inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, int planes,
   const std::function<double(const Vector&, int)>& evaluatePlane)
 {
+  double begin = 0.0;
+  for (int k = 0; k < planes; ++k)
+  {
+    const double height = evaluatePlane(ray.Start, k);
+    const double slope = evaluatePlane(Combine(ray.Start, 1.0, ray.Direction), k) - height;
+    begin = slope > 0.0 ? std::max(begin, -height / slope) : begin;
+  }
+  const Vector start = Combine(ray.Start, begin, ray.Direction);
   std::vector<bool> startsInside;
   std::vector<double> exits;
   std::vector<Cone> cones;
@@ -255,7 +274,7 @@ inline Hit Cast(const std::vector<Segment>& segments, const Ray& ray, int planes
     cones.emplace_back(s, ray);
     startsInside.resize(s.Line + 1, false);
     exits.resize(s.Line + 1, std::numeric_limits<double>::infinity());
-    startsInside[s.Line] = startsInside[s.Line] || cones.back().Contains(ray.Start);
+    startsInside[s.Line] = startsInside[s.Line] || cones.back().Contains(start);
   }
   Hit first;
   for (std::size_t i = 0; i < segments.size(); ++i)
