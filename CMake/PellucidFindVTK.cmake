@@ -49,3 +49,10 @@ else ()
 endif ()
 include(PellucidVTKStringABI)
 message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
+
+# What is installed finds a VTK outside the system's folders, such as the wheel's.
+get_target_property(pellucid_vtk_folder VTK::CommonCore LOCATION)
+get_filename_component(pellucid_vtk_folder "${pellucid_vtk_folder}" DIRECTORY)
+if (NOT pellucid_vtk_folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
+  list(APPEND CMAKE_INSTALL_RPATH "${pellucid_vtk_folder}")
+endif ()
