@@ -88,7 +88,7 @@ vtkTransparencyInstaller* vtkTransparencyInstaller::Find(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-vtkExactTransparencyPass* vtkTransparencyInstaller::Install(vtkRenderer* renderer)
+vtkExactTransparencyPass* vtkTransparencyInstaller::Install(vtkRenderer* renderer, vtkObject* owner)
 {
   if (!renderer)
   {
@@ -107,23 +107,27 @@ vtkExactTransparencyPass* vtkTransparencyInstaller::Install(vtkRenderer* rendere
     installer->Observe(renderer);
     renderer->GetInformation()->Set(vtkTransparencyInstaller::KEY(), installer);
   }
-  return vtkTransparencyInstaller::GetPass(renderer);
+  vtkTransparencyInstaller* installer = vtkTransparencyInstaller::Find(renderer);
+  installer->Owners.insert(owner);
+  return installer->Pass;
 }
 
 //------------------------------------------------------------------------------
-void vtkTransparencyInstaller::Uninstall(vtkRenderer* renderer)
+void vtkTransparencyInstaller::Uninstall(vtkRenderer* renderer, vtkObject* owner)
 {
-  if (vtkSmartPointer<vtkTransparencyInstaller> installer =
-        vtkTransparencyInstaller::Find(renderer))
+  const vtkSmartPointer<vtkTransparencyInstaller> installer =
+    vtkTransparencyInstaller::Find(renderer);
+  if (!installer || installer->Owners.erase(owner) == 0 || !installer->Owners.empty())
   {
-    installer->LeaveFrame();
-    installer->StopObserving();
-    if (renderer->GetPass() == installer->CameraPass)
-    {
-      renderer->SetPass(nullptr);
-    }
-    renderer->GetInformation()->Remove(vtkTransparencyInstaller::KEY());
+    return;
   }
+  installer->LeaveFrame();
+  installer->StopObserving();
+  if (renderer->GetPass() == installer->CameraPass)
+  {
+    renderer->SetPass(nullptr);
+  }
+  renderer->GetInformation()->Remove(vtkTransparencyInstaller::KEY());
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,8 @@
 #include "vtkSmartPointer.h"            // for the chain of the frame
 #include "vtkWeakPointer.h"             // for the renderer
 
+#include <set> // for the owners
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCameraPass;
@@ -51,11 +53,17 @@ public:
    * Make the renderer exact from its next frame on and return the pass that will draw it, for its
    * parameters and statistics. A second call returns the same pass. The renderer owns it. Returns
    * null, with a warning, when there is no renderer.
+   *
+   * Several parts of an application may each want the renderer exact: a part that names itself as
+   * `owner` does not disturb the others. The owner is only compared, never used.
    */
-  static vtkExactTransparencyPass* Install(vtkRenderer* renderer);
+  static vtkExactTransparencyPass* Install(vtkRenderer* renderer, vtkObject* owner = nullptr);
 
-  /** Give the renderer back to VTK; does nothing when it was not installed. */
-  static void Uninstall(vtkRenderer* renderer);
+  /**
+   * The owner no longer needs the renderer exact. Gives it back to VTK when nobody else does; does
+   * nothing when the owner had not installed it.
+   */
+  static void Uninstall(vtkRenderer* renderer, vtkObject* owner = nullptr);
 
   /** The pass of a renderer; null when it was not installed. */
   static vtkExactTransparencyPass* GetPass(vtkRenderer* renderer);
@@ -79,6 +87,7 @@ private:
   void LeaveFrame();
   void Replace(vtkRenderPass* expected, vtkRenderPass* leaf);
 
+  std::set<vtkObject*> Owners;
   vtkWeakPointer<vtkRenderer> Renderer;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;

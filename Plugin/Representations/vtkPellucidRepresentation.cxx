@@ -70,26 +70,12 @@ bool vtkPellucidRepresentation::AddToView(vtkView* view)
 //------------------------------------------------------------------------------
 bool vtkPellucidRepresentation::RemoveFromView(vtkView* view)
 {
-  if (this->View == view && !this->IsOtherVisible())
+  if (this->View == view)
   {
-    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer());
+    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
   }
   this->View = nullptr;
   return this->Superclass::RemoveFromView(view);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPellucidRepresentation::IsOtherVisible()
-{
-  for (int i = 0; i < this->View->GetNumberOfRepresentations(); ++i)
-  {
-    auto other = vtkPellucidRepresentation::SafeDownCast(this->View->GetRepresentation(i));
-    if (other && other != this && other->GetVisibility())
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -103,11 +89,11 @@ void vtkPellucidRepresentation::UpdateTransparency()
   }
   if (this->GetVisibility())
   {
-    vtkTransparencyInstaller::Install(this->View->GetRenderer());
+    vtkTransparencyInstaller::Install(this->View->GetRenderer(), this);
   }
-  else if (!this->IsOtherVisible())
+  else
   {
-    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer());
+    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
   }
 }
 VTK_ABI_NAMESPACE_END

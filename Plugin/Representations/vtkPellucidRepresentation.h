@@ -56,7 +56,6 @@ private:
   void operator=(const vtkPellucidRepresentation&) = delete;
 
   // Whether the view shows another representation of this kind.
-  bool IsOtherVisible();
   void UpdateTransparency();
 
   vtkWeakPointer<vtkPVRenderView> View;

@@ -125,6 +125,22 @@ bool TestMemoryEndsWithTheRenderer()
   return passed;
 }
 
+// Parts of an application do not disturb one another.
+bool TestOwners()
+{
+  SphereScene scene(Width, Height, 0, 8, 1);
+  vtkNew<vtkObject> part;
+  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
+  bool passed = Check(
+    vtkTransparencyInstaller::Install(scene.Renderer, part) == pass, "another owner, another pass");
+  vtkTransparencyInstaller::Uninstall(scene.Renderer, part);
+  vtkTransparencyInstaller::Uninstall(scene.Renderer, part);
+  passed &= Check(vtkTransparencyInstaller::GetPass(scene.Renderer) == pass, "an owner is lost");
+  vtkTransparencyInstaller::Uninstall(scene.Renderer);
+  passed &= Check(!vtkTransparencyInstaller::GetPass(scene.Renderer), "an owner is left");
+  return passed;
+}
+
 // A frame does not modify the renderer, which applications may watch.
 bool TestFramesModifyNothing()
 {
@@ -150,6 +166,7 @@ int TestWindowChanges(int, char*[])
   passed &= TestWithoutWindow();
   passed &= TestLabelInTheFirstFrame();
   passed &= TestMemoryEndsWithTheRenderer();
+  passed &= TestOwners();
   passed &= TestFramesModifyNothing();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
