@@ -95,8 +95,8 @@ vec3 segmentToView(vec3 v)
 }
 
 // Two segments compute the point where the ray hits them at their joint with different rounding: by
-// the points, both or none of them may own it. So near a joint plane its side (negative: that of the
-// segment before) follows from values that both compute in the same way, from joint, directions and
+// the points, both or none of them may own it. So near a joint plane the side (by the sign; negative:
+// that of the segment before) follows from values that both compute in the same way, from joint, directions and
 // pixel: a ray that crosses the plane inside the tube enters the tube before and leaves it after,
 // one that crosses outside hits the tube on the side where it is nearest to the joint.
 float sideOfJoint(bool atEnd, float side)
@@ -117,13 +117,12 @@ float sideOfJoint(bool atEnd, float side)
   float slope = atEnd ? -coneShape.z : coneShape.z;
   float radius = coneShape.y + slope * coneShape.x;
   float ball = clamp(
-    inward - aside * slope / sqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
-  if (length(vec2(inward - ball, aside)) <= radius - slope * ball)
-  {
-    return side * climb;
-  }
-  vec3 nearest = origin - dot(origin, direction) / dot(direction, direction) * direction;
-  return dot(normal, nearest);
+    inward - aside * slope * inversesqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
+  vec2 way = vec2(inward - ball, aside);
+  float reach = radius - slope * ball;
+  float nearest =
+    dot(normal, origin) * dot(direction, direction) - dot(origin, direction) * climb;
+  return dot(way, way) <= reach * reach ? side * climb : nearest;
 }
 
 // Is the hit on the segment's side of its two joint planes?
