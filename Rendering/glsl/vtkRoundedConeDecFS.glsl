@@ -16,11 +16,9 @@ flat in vec3 coneShape;
 flat in vec4 startPlaneLC;
 flat in vec4 endPlaneLC;
 flat in vec3 startJointVC;
-flat in vec3 startNormalVC;
-flat in vec3 startBendVC;
+flat in vec3 beforeVC;
 flat in vec3 endJointVC;
-flat in vec3 endNormalVC;
-flat in vec3 endBendVC;
+flat in vec3 afterVC;
 
 const float JOINT_BAND = 0.004;  // in radii; far more than what segments differ by
 
@@ -102,8 +100,9 @@ vec3 segmentToView(vec3 v)
 float sideOfJoint(bool atEnd, float side)
 {
   vec3 joint = atEnd ? endJointVC : startJointVC;
-  vec3 normal = atEnd ? endNormalVC : startNormalVC;
-  vec3 bend = atEnd ? endBendVC : startBendVC;
+  vec3 before = atEnd ? axisVC : beforeVC;
+  vec3 after = atEnd ? afterVC : axisVC;
+  vec3 normal = before + after;
   vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
   vec3 direction = vec3(perspective > 0.5 ? pixel.xy / -pixel.z : vec2(0.0), -1.0);
   vec3 origin =
@@ -112,7 +111,7 @@ float sideOfJoint(bool atEnd, float side)
   vec3 crossing = origin - dot(normal, origin) / climb * direction;
 
   // In the plane the two axes lie opposite to each other.
-  float inward = -dot(crossing, bend);
+  float inward = 0.5 * dot(crossing, after - before);
   float aside = sqrt(max(dot(crossing, crossing) - inward * inward, 0.0));
   float slope = atEnd ? -coneShape.z : coneShape.z;
   float radius = coneShape.y + slope * coneShape.x;
