@@ -16,11 +16,9 @@ flat in vec3 coneShape;
 flat in vec4 startPlaneLC;
 flat in vec4 endPlaneLC;
 flat in vec3 startJointVC;
-flat in vec3 startNormalVC;
-flat in vec3 startBendVC;
+flat in vec3 beforeVC;
 flat in vec3 endJointVC;
-flat in vec3 endNormalVC;
-flat in vec3 endBendVC;
+flat in vec3 afterVC;
 
 const float JOINT_BAND = 0.004;  // in radii; far more than what segments differ by
 
@@ -95,15 +93,16 @@ vec3 segmentToView(vec3 v)
 }
 
 // Two segments compute the point where the ray hits them at their joint with different rounding: by
-// the points, both or none of them may own it. So near a joint plane its side (negative: that of the
-// segment before) follows from values that both compute in the same way, from joint, directions and
+// the points, both or none of them may own it. So near a joint plane the side (by the sign; negative:
+// that of the segment before) follows from values that both compute in the same way, from joint, directions and
 // pixel: a ray that crosses the plane inside the tube enters the tube before and leaves it after,
 // one that crosses outside hits the tube on the side where it is nearest to the joint.
 float sideOfJoint(bool atEnd, float side)
 {
   vec3 joint = atEnd ? endJointVC : startJointVC;
-  vec3 normal = atEnd ? endNormalVC : startNormalVC;
-  vec3 bend = atEnd ? endBendVC : startBendVC;
+  vec3 before = atEnd ? axisVC : beforeVC;
+  vec3 after = atEnd ? afterVC : axisVC;
+  vec3 normal = before + after;
   vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
   vec3 direction = vec3(perspective > 0.5 ? pixel.xy / -pixel.z : vec2(0.0), -1.0);
   vec3 origin =
@@ -112,18 +111,17 @@ float sideOfJoint(bool atEnd, float side)
   vec3 crossing = origin - dot(normal, origin) / climb * direction;
 
   // In the plane the two axes lie opposite to each other.
-  float inward = -dot(crossing, bend);
+  float inward = 0.5 * dot(crossing, after - before);
   float aside = sqrt(max(dot(crossing, crossing) - inward * inward, 0.0));
   float slope = atEnd ? -coneShape.z : coneShape.z;
   float radius = coneShape.y + slope * coneShape.x;
   float ball = clamp(
-    inward - aside * slope / sqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
-  if (length(vec2(inward - ball, aside)) <= radius - slope * ball)
-  {
-    return side * climb;
-  }
-  vec3 nearest = origin - dot(origin, direction) / dot(direction, direction) * direction;
-  return dot(normal, nearest);
+    inward - aside * slope * inversesqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
+  vec2 way = vec2(inward - ball, aside);
+  float reach = radius - slope * ball;
+  float nearest =
+    dot(normal, origin) * dot(direction, direction) - dot(origin, direction) * climb;
+  return dot(way, way) <= reach * reach ? side * climb : nearest;
 }
 
 // Is the hit on the segment's side of its two joint planes?

@@ -26,14 +26,11 @@ flat out vec3 coneShape;     // half length, radius in the middle, decrease of t
 flat out vec4 startPlaneLC;  // the segment lies where dot(plane, (p, 1)) <= 0
 flat out vec4 endPlaneLC;    // ... and < 0
 
-// For each joint in VC: its point, the unit normal of its plane towards the segment after, and half
-// the difference of the unit directions before and after.
+// The joints, and the unit directions of the segments before and after this one.
 flat out vec3 startJointVC;
-flat out vec3 startNormalVC;
-flat out vec3 startBendVC;
 flat out vec3 endJointVC;
-flat out vec3 endNormalVC;
-flat out vec3 endBendVC;
+flat out vec3 beforeVC;
+flat out vec3 afterVC;
 
 //VTK::CustomUniforms::Dec
 
@@ -159,11 +156,9 @@ void main()
   startPlaneLC = NO_PLANE;
   endPlaneLC = NO_PLANE;
   startJointVC = vec3(0.0);
-  startNormalVC = vec3(0.0);
-  startBendVC = vec3(0.0);
   endJointVC = vec3(0.0);
-  endNormalVC = vec3(0.0);
-  endBendVC = vec3(0.0);
+  beforeVC = vec3(0.0);
+  afterVC = vec3(0.0);
 
   vec4 node1 = fetchNode(node);
   vec4 node0 = fetchNode(max(node - 1, 0));
@@ -222,7 +217,10 @@ void main()
 
   centerVC = 0.5 * (x1 + x2);
   vec3 view = perspective > 0.5 ? centerVC : vec3(0.0, 0.0, -1.0);
-  axisVC = len > 0.0 ? (x2 - x1) / len : anyNormal(view);
+  // as the neighbours compute it
+  mat3 nodeVC = mat3(nodeVCMatrix);
+  vec3 direction = normalize(nodeVC * (node2.xyz - node1.xyz));
+  axisVC = len > 0.0 ? direction : anyNormal(view);
   vec3 wide = cross(axisVC, view);
   wide = dot(wide, wide) > 1e-10 * dot(view, view) ? normalize(wide) : anyNormal(axisVC);
   sideVC = cross(wide, axisVC);
@@ -233,24 +231,17 @@ void main()
   coneShape = vec3(halfLength, middleRadius, slope);
 
   mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
-  mat3 nodeVC = mat3(nodeVCMatrix);
   if (joinedBefore)
   {
-    vec3 before = normalize(nodeVC * (node1.xyz - node0.xyz));
-    vec3 after = normalize(nodeVC * (node2.xyz - node1.xyz));
     startJointVC = joint1;
-    startNormalVC = bisector(before, after);
-    startBendVC = 0.5 * (before - after);
-    startPlaneLC = jointPlane(toLC * -startNormalVC, toLC * (joint1 - centerVC));
+    beforeVC = normalize(nodeVC * (node1.xyz - node0.xyz));
+    startPlaneLC = jointPlane(toLC * -bisector(beforeVC, direction), toLC * (joint1 - centerVC));
   }
   if (joinedAfter)
   {
-    vec3 before = normalize(nodeVC * (node2.xyz - node1.xyz));
-    vec3 after = normalize(nodeVC * (node3.xyz - node2.xyz));
     endJointVC = joint2;
-    endNormalVC = bisector(before, after);
-    endBendVC = 0.5 * (before - after);
-    endPlaneLC = jointPlane(toLC * endNormalVC, toLC * (joint2 - centerVC));
+    afterVC = normalize(nodeVC * (node3.xyz - node2.xyz));
+    endPlaneLC = jointPlane(toLC * bisector(direction, afterVC), toLC * (joint2 - centerVC));
   }
 
   End end1 = End(-halfLength, r1, false);
