@@ -9,8 +9,10 @@
 
 #include "vtkActor2D.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkConeSource.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
@@ -48,6 +50,20 @@ void AddVolume(vtkRenderer* renderer)
   renderer->AddVolume(volume);
 }
 
+void AddGlyphs(vtkRenderer* renderer)
+{
+  vtkNew<vtkSphereSource> places;
+  vtkNew<vtkConeSource> cone;
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputConnection(places->GetOutputPort());
+  mapper->SetSourceConnection(cone->GetOutputPort());
+  mapper->SetScaleFactor(0.2);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetScale(2.5);
+  renderer->AddActor(actor);
+}
+
 void AddText(vtkRenderer* renderer)
 {
   vtkNew<vtkTextMapper> mapper;
@@ -64,6 +80,7 @@ bool TestNothingTranslucent()
   // Without OpenGLDebugOutput: compilers warn of VTK's volume shader.
   SphereScene scene(200, 160, 0, 0, 4);
   AddVolume(scene.Renderer);
+  AddGlyphs(scene.Renderer);
   AddText(scene.Renderer);
   bool passed = true;
   for (const bool fancy : { false, true })
@@ -75,7 +92,8 @@ bool TestNothingTranslucent()
     const Picture stock = Picture::Render(scene.Window);
     vtkTransparencyInstaller::Install(scene.Renderer);
     passed &= Check(Picture::Render(scene.Window) == stock,
-      std::string("volume and overlay changed with SSAO and FXAA ") + (fancy ? "on" : "off"));
+      std::string("surfaces, glyphs, volume or overlay changed with SSAO and FXAA ") +
+        (fancy ? "on" : "off"));
   }
   return passed;
 }
