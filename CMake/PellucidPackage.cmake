@@ -21,3 +21,6 @@ install(FILES
   "${CMAKE_BINARY_DIR}/${pellucid_cmake_destination}/PellucidConfigVersion.cmake"
   DESTINATION "${pellucid_cmake_destination}"
   COMPONENT development)
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Pellucid"
+  COMPONENT licenses)

@@ -18,6 +18,9 @@
  *
  * Colours, materials, lights, render passes, clipping planes, picking and hardware selection are
  * those of vtkPolyDataMapper; a selection by points returns the nearer end of the segment hit.
+ * vtkHardwareSelector and vtkPropPicker see the tubes; vtkCellPicker, which works on the data, sees
+ * the lines, so give it a tolerance. Representations other than surface draw the same tubes.
+ *
  * Colours, or the scalars where InterpolateScalarsBeforeMapping is on, change linearly from ball to
  * ball; where one ball of a segment contains the other, its colour is that of the larger.
  *

@@ -10,9 +10,11 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindow.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkSSAAPass.h"
+
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -61,6 +63,23 @@ void SetDelegate(vtkRenderPass* holder, vtkRenderPass* delegate)
 bool IsDefaultPass(vtkRenderPass* pass)
 {
   return pass->IsA("vtkDefaultPass") || pass->IsA("vtkPVDefaultPass");
+}
+
+bool IsOfClass(vtkRenderPass* pass, const char* name)
+{
+  return pass && std::string(pass->GetClassName()) == name;
+}
+
+// The steps of VTK's default drawing, camera included, with none exchanged by the application.
+bool IsDefaultSteps(vtkRenderPass* pass)
+{
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  return steps && IsOfClass(steps->GetCameraPass(), "vtkCameraPass") &&
+    IsOfClass(steps->GetLightsPass(), "vtkLightsPass") &&
+    IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") &&
+    IsOfClass(steps->GetTranslucentPass(), "vtkTranslucentPass") &&
+    IsOfClass(steps->GetVolumetricPass(), "vtkVolumetricPass") &&
+    IsOfClass(steps->GetOverlayPass(), "vtkOverlayPass") && !steps->GetPostProcessPass();
 }
 }
 
@@ -178,7 +197,8 @@ void vtkTransparencyInstaller::EnterFrame()
   {
     return;
   }
-  if (!IsDefaultPass(leaf))
+  const bool isDefaultSteps = IsDefaultSteps(leaf);
+  if (!isDefaultSteps && !IsDefaultPass(leaf))
   {
     if (!this->WarnedOfLeaf)
     {
@@ -192,7 +212,12 @@ void vtkTransparencyInstaller::EnterFrame()
   }
   this->Holder = holder;
   this->ReplacedLeaf = leaf;
-  this->Replace(leaf, this->Pass);
+  this->Replacement = this->Pass;
+  if (isDefaultSteps)
+  {
+    this->Replacement = this->CameraPass;
+  }
+  this->Replace(leaf, this->Replacement);
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +225,7 @@ void vtkTransparencyInstaller::LeaveFrame()
 {
   if (this->ReplacedLeaf)
   {
-    this->Replace(this->Pass, this->ReplacedLeaf);
+    this->Replace(this->Replacement, this->ReplacedLeaf);
     this->Holder = nullptr;
     this->ReplacedLeaf = nullptr;
   }

@@ -94,9 +94,9 @@ private:
   vtkNew<vtkExactTransparencyPass> Pass;
   vtkNew<vtkCameraPass> CameraPass; // for a renderer without passes; Pass is its delegate
 
-  // The leaf that Pass replaces in this frame and its holder; null when the renderer itself holds
-  // it.
+  // What is replaced in this frame, by what, and who holds it: null when the renderer itself does.
   vtkSmartPointer<vtkRenderPass> Holder;
+  vtkRenderPass* Replacement = nullptr;
   vtkSmartPointer<vtkRenderPass> ReplacedLeaf;
   bool WarnedOfLeaf = false;
 };

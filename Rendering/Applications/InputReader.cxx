@@ -20,6 +20,8 @@
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <fstream>
+#include <iterator>
 #include <map>
 
 namespace pellucid
@@ -57,6 +59,26 @@ std::string GetSuffix(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+// XML files whose arrays follow as one raw block. The expat of some systems, Debian 12 among them,
+// breaks VTK's reader there.
+bool HasAppendedData(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return text.find("<VTKFile") != std::string::npos &&
+    text.find("<AppendedData") != std::string::npos;
+}
+
+//------------------------------------------------------------------------------
+std::string GetRemedy(const std::string& fileName)
+{
+  return HasAppendedData(fileName)
+    ? ". Its data are appended, which VTK cannot read with the XML parser of some "
+      "systems: write it with data mode binary or ascii, or as legacy .vtk"
+    : "";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string& fileName)
 {
   const std::string failure =
@@ -73,7 +95,7 @@ vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string
   if (log.HasErrors() || (isLegacy && log.HasWarnings()))
   {
     const std::string reason = log.HasErrors() ? log.GetFirstError() : log.GetFirstWarning();
-    throw RenderError(failure + (reason.empty() ? "" : " (" + reason + ")"));
+    throw RenderError(failure + (reason.empty() ? "" : " (" + reason + ")") + GetRemedy(fileName));
   }
   vtkDataObject* data = reader->GetOutputDataObject(0);
   if (!data)

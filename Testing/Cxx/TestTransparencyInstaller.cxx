@@ -16,6 +16,8 @@
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkSelection.h"
 #include "vtkSequencePass.h"
 #include "vtkTestErrorObserver.h"
@@ -62,6 +64,16 @@ bool TestChains()
   passed &= Check(pass->GetStatistics()->GetFragments() > 0, "behind an image processing pass");
   passed &= Check(scene.Renderer->GetPass() == toneMapping, "the first pass is not as it was");
   toneMapping->ReleaseGraphicsResources(scene.Window);
+
+  vtkNew<vtkSSAAPass> supersampling;
+  vtkNew<vtkRenderStepsPass> steps;
+  supersampling->SetDelegatePass(steps);
+  scene.Renderer->SetPass(supersampling);
+  pass->GetStatistics()->Reset();
+  Picture::Render(scene.Window);
+  passed &= Check(pass->GetStatistics()->GetFragments() > 0, "behind supersampling");
+  passed &= Check(supersampling->GetDelegatePass() == steps, "the steps are not as they were");
+  supersampling->ReleaseGraphicsResources(scene.Window);
 
   vtkNew<vtkSequencePass> sequence;
   vtkNew<vtkRenderPassCollection> passes;
