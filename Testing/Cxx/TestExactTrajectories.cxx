@@ -8,8 +8,12 @@
 #include "SphereScene.h"
 
 #include "vtkCellArray.h"
+#include "vtkConeSource.h"
 #include "vtkDoubleArray.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkLookupTable.h"
 #include "vtkPlane.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -105,11 +109,47 @@ bool TestRadiiFromArray()
   return Compare(scene, "radii from an array");
 }
 
+void AddGlyphs(SphereScene& scene)
+{
+  vtkNew<vtkPlaneSource> grid;
+  grid->SetOrigin(-1.5, -1.5, 0.3);
+  grid->SetPoint1(1.5, -1.5, 0.6);
+  grid->SetPoint2(-1.5, 1.5, -0.4);
+  grid->SetResolution(4, 4);
+  vtkNew<vtkConeSource> cone;
+  cone->SetHeight(0.4);
+  cone->SetRadius(0.15);
+  cone->SetResolution(12);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputConnection(grid->GetOutputPort());
+  mapper->SetSourceConnection(cone->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.1, 0.7, 0.4);
+  actor->GetProperty()->SetOpacity(0.35);
+  scene.Renderer->AddActor(actor);
+}
+
 bool TestMixedScene()
 {
   SphereScene scene(321, 241, 0, 6, 3);
   AddLines(scene, MakeLines(25, 50, 0), 0.03, 0.5);
-  return Compare(scene, "trajectories among translucent and opaque spheres");
+  AddGlyphs(scene);
+  return Compare(scene, "trajectories and balls among spheres, glyphs and opaque spheres");
+}
+
+// Along each line the opacity goes from 0 to 1.
+bool TestOpacityOfTheTable()
+{
+  SphereScene scene(320, 240, 0, 2, 1);
+  vtkActor* actor = AddLines(scene, MakeLines(25, 50, 0), 0.05, 1.0);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  table->SetAlphaRange(0.0, 1.0);
+  table->SetRange(-1.0, 1.0);
+  table->Build();
+  actor->GetMapper()->SetLookupTable(table);
+  return Compare(scene, "opacity of the table");
 }
 
 bool TestParallelProjection()
@@ -233,6 +273,7 @@ int TestExactTrajectories(int, char*[])
   bool passed = TestCrossingTubes();
   passed &= TestRadiiFromArray();
   passed &= TestMixedScene();
+  passed &= TestOpacityOfTheTable();
   passed &= TestParallelProjection();
   passed &= TestEyeInsideATube();
   passed &= TestDenseJoints();
