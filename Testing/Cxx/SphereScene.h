@@ -5,7 +5,10 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkConeSource.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -57,6 +60,28 @@ struct SphereScene
     actor->GetProperty()->SetOpacity(opacity);
     this->Renderer->AddActor(actor);
     return actor;
+  }
+
+  /// Translucent cones on a slanted grid through the spheres.
+  void AddGlyphs()
+  {
+    vtkNew<vtkPlaneSource> grid;
+    grid->SetOrigin(-1.5, -1.5, 0.3);
+    grid->SetPoint1(1.5, -1.5, 0.6);
+    grid->SetPoint2(-1.5, 1.5, -0.4);
+    grid->SetResolution(5, 5);
+    vtkNew<vtkConeSource> cone;
+    cone->SetHeight(0.5);
+    cone->SetRadius(0.2);
+    cone->SetResolution(12);
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputConnection(grid->GetOutputPort());
+    mapper->SetSourceConnection(cone->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.1, 0.7, 0.4);
+    actor->GetProperty()->SetOpacity(0.35);
+    this->Renderer->AddActor(actor);
   }
 };
 

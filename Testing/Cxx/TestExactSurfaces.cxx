@@ -7,9 +7,6 @@
 #include "ReferenceComparison.h"
 #include "SphereScene.h"
 
-#include "vtkConeSource.h"
-#include "vtkGlyph3DMapper.h"
-#include "vtkPlaneSource.h"
 #include "vtkTransparencyInstaller.h"
 
 namespace
@@ -67,23 +64,7 @@ bool TestCoincidentSurfaces()
 bool TestGlyphs()
 {
   SphereScene scene(300, 300, 0, 3, 2);
-  vtkNew<vtkPlaneSource> grid;
-  grid->SetOrigin(-1.5, -1.5, 0.3);
-  grid->SetPoint1(1.5, -1.5, 0.6);
-  grid->SetPoint2(-1.5, 1.5, -0.4);
-  grid->SetResolution(5, 5);
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(0.5);
-  cone->SetRadius(0.2);
-  cone->SetResolution(12);
-  vtkNew<vtkGlyph3DMapper> mapper;
-  mapper->SetInputConnection(grid->GetOutputPort());
-  mapper->SetSourceConnection(cone->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.1, 0.7, 0.4);
-  actor->GetProperty()->SetOpacity(0.35);
-  scene.Renderer->AddActor(actor);
+  scene.AddGlyphs();
   return Compare(scene, "glyphs among spheres");
 }
 

@@ -8,12 +8,9 @@
 #include "SphereScene.h"
 
 #include "vtkCellArray.h"
-#include "vtkConeSource.h"
 #include "vtkDoubleArray.h"
-#include "vtkGlyph3DMapper.h"
 #include "vtkLookupTable.h"
 #include "vtkPlane.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -109,32 +106,11 @@ bool TestRadiiFromArray()
   return Compare(scene, "radii from an array");
 }
 
-void AddGlyphs(SphereScene& scene)
-{
-  vtkNew<vtkPlaneSource> grid;
-  grid->SetOrigin(-1.5, -1.5, 0.3);
-  grid->SetPoint1(1.5, -1.5, 0.6);
-  grid->SetPoint2(-1.5, 1.5, -0.4);
-  grid->SetResolution(4, 4);
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(0.4);
-  cone->SetRadius(0.15);
-  cone->SetResolution(12);
-  vtkNew<vtkGlyph3DMapper> mapper;
-  mapper->SetInputConnection(grid->GetOutputPort());
-  mapper->SetSourceConnection(cone->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.1, 0.7, 0.4);
-  actor->GetProperty()->SetOpacity(0.35);
-  scene.Renderer->AddActor(actor);
-}
-
 bool TestMixedScene()
 {
   SphereScene scene(321, 241, 0, 6, 3);
   AddLines(scene, MakeLines(25, 50, 0), 0.03, 0.5);
-  AddGlyphs(scene);
+  scene.AddGlyphs();
   return Compare(scene, "trajectories and balls among spheres, glyphs and opaque spheres");
 }
 
