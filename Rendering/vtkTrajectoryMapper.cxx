@@ -14,16 +14,19 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolygonPartMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRoundedConeMapper.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTrajectoryColors.h"
 #include "vtkTrajectoryNodes.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -76,6 +79,7 @@ public:
 
   void Render(vtkRenderer* renderer, vtkActor* actor);
   void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseFromWindow();
   bool HasTranslucentColors();
   vtkBoundingBox GetBounds();
   void Select(
@@ -93,7 +97,7 @@ private:
   /** What the nodes were built from. */
   struct NodesKey
   {
-    std::vector<vtkPolyData*> Leaves;
+    std::vector<std::pair<vtkPolyData*, unsigned int>> Leaves; // with their flat indices
     vtkMTimeType Time = 0;
     double Radius = -1.0;
     std::string RadiusArray;
@@ -117,7 +121,9 @@ private:
   std::vector<std::unique_ptr<PolygonPart>> Polygons;
   NodesKey Key;
   vtkMTimeType AppearanceTime = 0;
+  vtkProperty* AppearanceProperty = nullptr; // compared, never used
   bool UsesPropertyColor = false;
+  vtkWeakPointer<vtkWindow> Window;
 };
 
 //------------------------------------------------------------------------------
@@ -155,7 +161,7 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
   NodesKey key;
   for (const auto& leaf : leaves)
   {
-    key.Leaves.push_back(leaf.Data);
+    key.Leaves.emplace_back(leaf.Data, leaf.FlatIndex);
     key.Time = std::max(key.Time, leaf.Data->GetMTime());
   }
   key.Radius = this->Owner->GetRadius();
@@ -168,6 +174,13 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
   this->Key = std::move(key);
   this->AppearanceTime = 0;
   this->Cones->SetNodes(&this->Nodes);
+  if (this->Nodes.GetNumberOfBadRadiusArrays() > 0)
+  {
+    vtkWarningWithObjectMacro(this->Owner,
+      "The radius array '" << this->Key.RadiusArray
+                           << "' has more than one component; expected one. The constant radius is "
+                              "used instead.");
+  }
   if (this->Nodes.GetNumberOfInvalidPoints() > 0)
   {
     vtkWarningWithObjectMacro(this->Owner,
@@ -198,7 +211,9 @@ vtkMTimeType vtkTrajectoryMapper::Parts::GetAppearanceTime(vtkActor* actor) cons
 //------------------------------------------------------------------------------
 void vtkTrajectoryMapper::Parts::UpdateAppearance(vtkActor* actor)
 {
-  if (this->AppearanceTime == this->GetAppearanceTime(actor))
+  const bool sameProperty =
+    !this->UsesPropertyColor || this->AppearanceProperty == actor->GetProperty();
+  if (sameProperty && this->AppearanceTime == this->GetAppearanceTime(actor))
   {
     return;
   }
@@ -229,6 +244,7 @@ void vtkTrajectoryMapper::Parts::UpdateAppearance(vtkActor* actor)
   }
   // Last: mapping may have made or changed the lookup table, which counts as a change of the owner.
   this->AppearanceTime = this->GetAppearanceTime(actor);
+  this->AppearanceProperty = actor->GetProperty();
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +262,7 @@ void vtkTrajectoryMapper::Parts::RenderPart(
 //------------------------------------------------------------------------------
 void vtkTrajectoryMapper::Parts::Render(vtkRenderer* renderer, vtkActor* actor)
 {
+  this->Window = renderer->GetRenderWindow();
   this->UpdateNodes();
   this->UpdateAppearance(actor);
 
@@ -284,6 +301,15 @@ void vtkTrajectoryMapper::Parts::ReleaseGraphicsResources(vtkWindow* window)
   for (const auto& part : this->Polygons)
   {
     part->Mapper->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::ReleaseFromWindow()
+{
+  if (this->Window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
   }
 }
 
@@ -423,6 +449,9 @@ vtkTrajectoryMapper::vtkTrajectoryMapper()
 //------------------------------------------------------------------------------
 vtkTrajectoryMapper::~vtkTrajectoryMapper()
 {
+  // While the parts are whole: their buffers belong to the window that drew them, which need not be
+  // the one whose context is current.
+  this->Drawing->ReleaseFromWindow();
   this->SetRadiusArray(nullptr);
 }
 

@@ -30,7 +30,8 @@
  * Consecutive coincident points of a line count once. Points with a coordinate or a radius that is
  * not finite are left out and split their line, with one warning; negative radii count as 0, and a
  * segment with radius 0 at both ends is not drawn. In composite data, leaves that lack the array to
- * colour by take the colour of the actor's property.
+ * colour by take the colour of the actor's property; where InterpolateScalarsBeforeMapping is on,
+ * they and leaves with direct colours take that of NaN.
  *
  * Cost: 16 bytes of graphics memory for a point and 4 for its colour. Work on the CPU happens only
  * when the data, radii or colours change.
@@ -59,7 +60,8 @@ public:
   /**
    * Radius of tubes and balls in world units, at least 0. Default 0: it follows from the diagonal
    * of the bounds, the number of lines and their total length, between 1/2500 of the diagonal for
-   * very many lines and 1/200 for few.
+   * very many lines and 1/200 for few. These are measured before the actor's scale: give a scaled
+   * actor a radius of its own.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

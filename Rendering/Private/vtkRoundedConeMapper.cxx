@@ -172,12 +172,22 @@ void vtkRoundedConeMapper::SetTextureColors(std::vector<float> coordinates, vtkI
 //------------------------------------------------------------------------------
 void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  // Callers need not have made the window's context current.
+  auto* renderWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (renderWindow)
+  {
+    renderWindow->PushContext();
+  }
   this->NodeTexture.Release(window);
   this->RemainderTexture.Release(window);
   this->ColorTexture.Release(window);
   this->ColorMap->ReleaseGraphicsResources(window);
   this->Primitives[PrimitiveTris].IBO->IndexCount = 0;
   this->Superclass::ReleaseGraphicsResources(window);
+  if (renderWindow)
+  {
+    renderWindow->PopContext();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -148,6 +148,11 @@ void vtkTrajectoryNodes::Build(
     const Leaf& leaf = this->Leaves[i];
     vtkDataArray* radii =
       radiusArray.empty() ? nullptr : leaf.Data->GetPointData()->GetArray(radiusArray.c_str());
+    if (radii && radii->GetNumberOfComponents() != 1)
+    {
+      radii = nullptr;
+      ++this->NumberOfBadRadiusArrays;
+    }
     ForEachTrajectory(leaf.Data,
       [&](vtkIdType count, const vtkIdType* points, vtkIdType cell)
       {
@@ -198,7 +203,7 @@ void vtkTrajectoryNodes::AddCell(
   for (vtkIdType i = 0; i < count; ++i)
   {
     Point point = GetPoint(leaf.Data, points[i]);
-    const double radius = std::max(radii ? radii->GetTuple1(points[i]) : this->Radius, 0.0);
+    const double radius = std::max(radii ? radii->GetComponent(points[i], 0) : this->Radius, 0.0);
     if (!IsFinite(point) || !std::isfinite(radius))
     {
       ++this->NumberOfInvalidPoints;

@@ -88,6 +88,9 @@ public:
   /** The constant radius: as given to Build(), or derived. */
   double GetRadius() const { return this->Radius; }
 
+  /** Leaves whose radius array was left out because it has not one component. */
+  vtkIdType GetNumberOfBadRadiusArrays() const { return this->NumberOfBadRadiusArrays; }
+
   /** Points left out because a coordinate or the radius is not finite. */
   vtkIdType GetNumberOfInvalidPoints() const { return this->NumberOfInvalidPoints; }
 
@@ -107,6 +110,7 @@ private:
   vtkBoundingBox PointBounds;
   double MinimumRadius = VTK_DOUBLE_MAX; ///< of those above 0
   double MaximumRadius = 0.0;
+  vtkIdType NumberOfBadRadiusArrays = 0;
   double Radius = 0.0;
   vtkIdType NumberOfInvalidPoints = 0;
 };
