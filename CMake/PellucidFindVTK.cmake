@@ -26,7 +26,9 @@ set(PELLUCID_VTK_COMPONENTS
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2
-  RenderingVolumeOpenGL2)
+  RenderingVolumeOpenGL2
+  netcdf
+  vtksys)
 
 set(pellucid_vtk_optional_components WrappingPythonCore Python)
 if (BUILD_TESTING)

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTrajectoryReaderFactory.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkTrajectoryReader.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkTrajectoryReaderFactory);
+
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename Reader>
+vtkSmartPointer<vtkTrajectoryReader> Make()
+{
+  return vtkSmartPointer<Reader>::New();
+}
+
+using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
+
+const std::vector<Maker> Makers = {};
+}
+
+//------------------------------------------------------------------------------
+vtkTrajectoryReader* vtkTrajectoryReaderFactory::CreateReader(const char* fileName)
+{
+  for (const Maker make : Makers)
+  {
+    vtkSmartPointer<vtkTrajectoryReader> reader = make();
+    if (reader->CanReadFile(fileName))
+    {
+      reader->SetFileName(fileName);
+      reader->Register(nullptr);
+      return reader;
+    }
+  }
+  return nullptr;
+}
+
+VTK_ABI_NAMESPACE_END
