@@ -7,8 +7,12 @@
 #include "Private/vtkFragmentStages.h"
 #include "Private/vtkFragmentTiles.h"
 #include "Private/vtkOpaqueLayer.h"
+#include "Private/vtkOptimizedScene.h"
+#include "Private/vtkRoundedConeMapper.h"
+#include "Private/vtkSegmentOpacities.h"
 #include "Private/vtkStageTimers.h"
 #include "vtkFragmentAppendDec.h"
+#include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentListsDec.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaqueDepthDec.h"
@@ -16,8 +20,11 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
+#include "vtkSurfaceImportanceDec.h"
+#include "vtkSurfaceImportanceVS.h"
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
@@ -70,26 +77,33 @@ struct vtkExactTransparencyPass::Internals
   {
     vtkFragmentLists Lists;
     vtkFragmentStages Stages;
+    vtkSegmentOpacities Opacities;
     vtkOpaqueLayer Opaque;
     vtkStageTimers Timers;
     vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
     GLuint GatherFramebuffer = 0;
 
-    vtkIdType GetBytes() const { return this->Lists.GetBytes() + this->Opaque.GetBytes(); }
+    vtkIdType GetBytes() const
+    {
+      return this->Lists.GetBytes() + this->Opacities.GetBytes() + this->Opaque.GetBytes();
+    }
   };
   std::unique_ptr<Resources> GPU = std::make_unique<Resources>();
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType ContextTime = 0;
 
   vtkFragmentTiles Tiles;
+  vtkOptimizedScene Scene;
 
   // One frame.
+  bool Optimize = false;
   vtkOpenGLState* State = nullptr;
   std::set<vtkProp*> RenderedProps;
   std::set<vtkProp*> PropsToBlend;
 
   // What the hooks in the mappers' shaders need.
   vtkPixelRectangle Tile;
+  vtkProp* Prop = nullptr;
   bool PropTookPart = false;
   int ShaderSamples = 0;
   vtkTimeStamp ShaderTime;
@@ -99,6 +113,19 @@ struct vtkExactTransparencyPass::Internals
   bool WarnedOfBlending = false;
   bool WarnedOfMemory = false;
   bool ReportedNoMemory = false;
+
+  vtkIdType GetBytesPerNode() const
+  {
+    return this->Optimize ? vtkFragmentLists::BytesPerOptimizedNode
+                          : vtkFragmentLists::BytesPerNode;
+  }
+
+  /** Of the prop that is being gathered; null when its opacities are not optimised, or ... */
+  const vtkOptimizedScene::Member* FindMember(vtkAbstractMapper* mapper) const
+  {
+    const bool brings = vtkRoundedConeMapper::SafeDownCast(mapper) != nullptr;
+    return this->Optimize && !brings ? this->Scene.Find(this->Prop) : nullptr;
+  }
 
   void FollowContext(vtkOpenGLRenderWindow* window)
   {
@@ -120,6 +147,7 @@ struct vtkExactTransparencyPass::Internals
       {
         this->GPU->Lists.Release();
         this->GPU->Stages.Release();
+        this->GPU->Opacities.Release();
         this->GPU->Opaque.Release();
         this->GPU->FXAAFilter->ReleaseGraphicsResources();
         glDeleteFramebuffers(1, &this->GPU->GatherFramebuffer);
@@ -276,38 +304,94 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
     vtkStageTimers::Scope stage(gpu.Timers, "copy");
     gpu.Opaque.Copy(internal.State, viewport);
   }
-  if (internal.ShaderSamples != gpu.Opaque.GetSamples())
+  const bool optimize = this->PrepareOptimization(state);
+  if (internal.ShaderSamples != gpu.Opaque.GetSamples() || internal.Optimize != optimize)
   {
     internal.ShaderSamples = gpu.Opaque.GetSamples();
+    internal.Optimize = optimize;
     internal.ShaderTime.Modified();
   }
+  gpu.Stages.SetOptimize(optimize);
 
-  const vtkIdType limitBytes = this->MemoryLimit * BytesPerMiB;
-  if (gpu.Lists.GetBytes() > limitBytes)
+  if (gpu.Lists.GetBytes() > this->MemoryLimit * BytesPerMiB)
   {
     gpu.Lists.Release();
   }
-  internal.Tiles.Begin({ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } }, limitBytes,
-    vtkFragmentLists::GetLargestNodeCapacity());
-
+  const vtkPixelRectangle image{ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } };
   vtkOpenGLState::ScopedglScissor scissorSaver(internal.State);
   vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(internal.State, GL_SCISSOR_TEST);
   internal.State->vtkglEnable(GL_SCISSOR_TEST);
   gpu.Opaque.Activate(internal.State);
-  while (internal.Tiles.Next(internal.Tile))
+  if (optimize)
   {
-    internal.State->vtkglScissor(internal.Tile.Origin[0], internal.Tile.Origin[1],
-      internal.Tile.Size[0], internal.Tile.Size[1]);
-    this->RenderTile(state);
+    this->RenderTiles(state, image, Sweep::Solve);
+    this->SmoothOpacities();
+  }
+  if (!optimize || internal.Tiles.GetNumberOfTiles() > 1)
+  {
+    this->Statistics->SetFragments(0);
+    this->RenderTiles(state, image, Sweep::Resolve);
+  }
+  else if (internal.Tiles.GetNumberOfTiles() == 1)
+  {
+    this->Resolve();
   }
   gpu.Opaque.Deactivate(internal.State);
   vtkFragmentLists::Unbind();
+  vtkSegmentOpacities::Unbind();
   this->Statistics->SetTiles(internal.Tiles.GetNumberOfTiles());
   this->NumberOfRenderedProps += static_cast<int>(internal.RenderedProps.size());
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
+bool vtkExactTransparencyPass::PrepareOptimization(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  vtkOptimizedScene& scene = internal.Scene;
+  const bool changed = scene.Update(GetProps(state));
+  if (!scene.HasEffect())
+  {
+    return false;
+  }
+  if (changed || internal.GPU->Opacities.GetBytes() == 0)
+  {
+    scene.MapImportances();
+    if (!internal.GPU->Opacities.Upload(scene))
+    {
+      vtkErrorMacro("OpenGL has no room for the opacities of "
+        << scene.GetNumberOfSegments()
+        << " segments. This picture is drawn without optimised opacities.");
+      internal.GPU->Opacities.Release();
+      return false;
+    }
+  }
+  for (const std::string& array : scene.TakeMissingArrays())
+  {
+    vtkWarningMacro("The data of an actor whose opacities are to be optimised has no point array \""
+      << array
+      << "\" of one component: it counts as unimportant. Name its importance with "
+         "vtkOpacityOptimization::SetImportanceArray().");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::RenderTiles(
+  const vtkRenderState* state, const vtkPixelRectangle& image, Sweep sweep)
+{
+  Internals& internal = *this->Internal;
+  internal.Tiles.Begin(image, this->MemoryLimit * BytesPerMiB,
+    vtkFragmentLists::GetLargestNodeCapacity(), internal.GetBytesPerNode());
+  while (internal.Tiles.Next(internal.Tile))
+  {
+    internal.State->vtkglScissor(internal.Tile.Origin[0], internal.Tile.Origin[1],
+      internal.Tile.Size[0], internal.Tile.Size[1]);
+    this->RenderTile(state, sweep);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state, Sweep sweep)
 {
   const vtkPixelRectangle tile = this->Internal->Tile;
   const vtkIdType pixels = tile.GetNumberOfPixels();
@@ -318,7 +402,8 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
   vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * pixels);
   do
   {
-    if (!lists.Reserve(pixels, nodes, this->Internal->GPU->Opaque.GetSamples()))
+    if (!lists.Reserve(
+          pixels, nodes, this->Internal->GPU->Opaque.GetSamples(), this->Internal->Optimize))
     {
       lists.Release();
       this->DivideForMemory(nodes);
@@ -340,7 +425,15 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state)
   } while (fragments > lists.GetNodeCapacity());
 
   this->WarnOfMemory(fragments);
-  this->SortAndResolve();
+  this->Sort();
+  if (sweep == Sweep::Solve)
+  {
+    this->Solve();
+  }
+  else
+  {
+    this->Resolve();
+  }
   tiles.Finish(tile, fragments);
   this->Statistics->SetFragments(this->Statistics->GetFragments() + fragments);
 }
@@ -369,7 +462,7 @@ void vtkExactTransparencyPass::GiveUp(vtkIdType nodes)
     const vtkPixelRectangle& tile = this->Internal->Tile;
     vtkErrorMacro("OpenGL has no room for the fragment lists of "
       << tile.Size[0] << " x " << tile.Size[1] << " pixels: needed are "
-      << nodes * vtkFragmentLists::BytesPerNode / BytesPerMiB + 1
+      << nodes * this->Internal->GetBytesPerNode() / BytesPerMiB + 1
       << " MiB. The rest of the picture shows the opaque scene only. Free graphics memory, or draw "
          "fewer translucent layers.");
     this->Internal->ReportedNoMemory = true;
@@ -384,7 +477,7 @@ void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
   {
     vtkWarningMacro("One pixel has "
       << fragments << " translucent fragments, which need "
-      << fragments * vtkFragmentLists::BytesPerNode << " bytes, more than the memory limit of "
+      << fragments * this->Internal->GetBytesPerNode() << " bytes, more than the memory limit of "
       << this->MemoryLimit << " MiB. The limit is exceeded to keep the picture exact.");
     this->Internal->WarnedOfMemory = true;
   }
@@ -418,12 +511,17 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
   this->Statistics->SetGatherPasses(this->Statistics->GetGatherPasses() + 1);
   gpu.Lists.Clear(internal.Tile.GetNumberOfPixels());
   gpu.Lists.Bind();
+  if (internal.Optimize)
+  {
+    gpu.Opacities.BindCorners();
+  }
   internal.State->PushFramebufferBindings();
   this->BindGatherFramebuffer();
   this->PreRender(state);
   // All props, as VTK does: some draw translucent geometry without saying so before.
   for (vtkProp* prop : GetProps(state))
   {
+    internal.Prop = prop;
     internal.PropTookPart = false;
     if (prop->RenderTranslucentPolygonalGeometry(state->GetRenderer()) > 0)
     {
@@ -434,6 +532,7 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
       }
     }
   }
+  internal.Prop = nullptr;
   this->PostRender(state);
   internal.State->PopFramebufferBindings();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -441,17 +540,16 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::SortAndResolve()
+void vtkExactTransparencyPass::Sort()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  auto* window = internal.Window.GetPointer();
   vtkIdType longest = 0;
   {
     vtkStageTimers::Scope stage(gpu.Timers, "sort");
     internal.State->PushFramebufferBindings();
     this->BindGatherFramebuffer();
-    gpu.Stages.Sort(window, gpu.Opaque, internal.Tile);
+    gpu.Stages.Sort(internal.Window, gpu.Opaque, internal.Tile);
     internal.State->PopFramebufferBindings();
     const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
     longest = counters.LongestList;
@@ -461,8 +559,46 @@ void vtkExactTransparencyPass::SortAndResolve()
     }
   }
   this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::Solve()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  vtkStageTimers::Scope stage(gpu.Timers, "solve");
+  internal.State->PushFramebufferBindings();
+  this->BindGatherFramebuffer();
+  gpu.Opacities.BindTables();
+  gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile, this->Statistics->GetLongestList());
+  internal.State->PopFramebufferBindings();
+  this->Statistics->SetSolvedFragments(
+    this->Statistics->GetSolvedFragments() + gpu.Lists.ReadCounters().SolvedFragments);
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::SmoothOpacities()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  vtkStageTimers::Scope stage(gpu.Timers, "smooth");
+  internal.State->PushFramebufferBindings();
+  gpu.Opacities.Smooth(internal.Window, internal.Scene.GetSmoothingIterations());
+  internal.State->PopFramebufferBindings();
+  gpu.Lists.Bind();
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::Resolve()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
-  gpu.Stages.Resolve(window, gpu.Opaque, internal.Tile);
+  if (internal.Optimize)
+  {
+    gpu.Opacities.BindOpacities();
+  }
+  gpu.Stages.Resolve(internal.Window, gpu.Opaque, internal.Tile);
 }
 
 //------------------------------------------------------------------------------
@@ -495,25 +631,45 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkExactTransparencyPass::PreReplaceShaderValues(
+  std::string& vertexShader, std::string&, std::string&, vtkAbstractMapper* mapper, vtkProp*)
 {
+  if (this->Internal->FindMember(mapper))
+  {
+    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Dec",
+      std::string(vtkSurfaceImportanceVS) + "//VTK::PositionVC::Dec", false);
+    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Impl",
+      "pellucidPassImportance();\n//VTK::PositionVC::Impl", false);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExactTransparencyPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  const bool optimize = this->Internal->Optimize;
+  const bool takesPart = this->Internal->FindMember(mapper) != nullptr;
   const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
   const std::string declarations =
-    vtkFragmentLists::GetShaderDefinitions(this->Internal->ShaderSamples) + vtkFragmentListsDec +
-    vtkOpaqueDepthDec + vtkFragmentAppendDec;
+    vtkFragmentLists::GetShaderDefinitions(this->Internal->ShaderSamples, optimize) +
+    vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkOpaqueDepthDec +
+    (optimize ? vtkFragmentImportanceDec : "") + vtkFragmentAppendDec +
+    (takesPart ? vtkSurfaceImportanceDec : "");
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
     "if (pellucidIsHidden(" + depth + ")) { discard; }\n", false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    "pellucidAppend(gl_FragData[0], " + depth + ");\n", false);
+    std::string(takesPart ? "pellucidSetImportance();\n" : "") + "pellucidAppend(gl_FragData[0], " +
+      depth + ");\n",
+    false);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkExactTransparencyPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& internal = *this->Internal;
   if (program->IsUniformUsed("pellucidNodeCapacity"))
@@ -523,6 +679,15 @@ bool vtkExactTransparencyPass::SetShaderParameters(
     internal.GPU->Opaque.SetUniforms(program);
     program->SetUniformi(
       "pellucidNodeCapacity", static_cast<int>(internal.GPU->Lists.GetNodeCapacity()));
+    if (const vtkOptimizedScene::Member* member = internal.FindMember(mapper))
+    {
+      const vtkOptimizedScene::Part& part = member->FindPart(mapper);
+      program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
+      program->SetUniformi(
+        "pellucidFirstCorner", part.HasCorners ? static_cast<int>(part.FirstCorner) : -1);
+      program->SetUniformi("pellucidFirstCornerOpacity",
+        static_cast<int>(internal.Scene.GetNumberOfSegments() + part.FirstCorner));
+    }
   }
   return true;
 }

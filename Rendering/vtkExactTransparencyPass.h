@@ -59,6 +59,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkRenderWindow;
+struct vtkPixelRectangle;
 
 class VTKPELLUCIDRENDERING_EXPORT vtkExactTransparencyPass : public vtkOpenGLRenderPass
 {
@@ -100,6 +101,8 @@ public:
 
   ///@{
   /** Take part in the shader of a mapper; called by the mapper while it is gathered. */
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
@@ -117,16 +120,28 @@ private:
 
   struct Internals;
 
+  /** What is done with the sorted lists of a tile. */
+  enum class Sweep
+  {
+    Solve,
+    Resolve
+  };
+
   bool KeepsStockPath(const vtkRenderState* state);
   void RenderGeometry(const vtkRenderState* state);
   void RenderTranslucentGeometry(const vtkRenderState* state);
-  void RenderTile(const vtkRenderState* state);
+  bool PrepareOptimization(const vtkRenderState* state);
+  void RenderTiles(const vtkRenderState* state, const vtkPixelRectangle& image, Sweep sweep);
+  void RenderTile(const vtkRenderState* state, Sweep sweep);
   void DivideForMemory(vtkIdType nodes);
   void GiveUp(vtkIdType nodes);
   void WarnOfMemory(vtkIdType fragments);
   void BindGatherFramebuffer();
   vtkIdType Gather(const vtkRenderState* state);
-  void SortAndResolve();
+  void Sort();
+  void Solve();
+  void SmoothOpacities();
+  void Resolve();
   void BlendOtherProps(const vtkRenderState* state);
 
   int MemoryLimit = 1024;

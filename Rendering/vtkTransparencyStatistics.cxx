@@ -15,6 +15,7 @@ vtkStandardNewMacro(vtkTransparencyStatistics);
 void vtkTransparencyStatistics::Reset()
 {
   this->Fragments = 0;
+  this->SolvedFragments = 0;
   this->LongestList = 0;
   this->BufferBytes = 0;
   this->Tiles = 0;

@@ -40,6 +40,12 @@ public:
   ///@}
 
   ///@{
+  /** Fragments whose opacity was optimised, of those. */
+  vtkSetMacro(SolvedFragments, vtkIdType);
+  vtkGetMacro(SolvedFragments, vtkIdType);
+  ///@}
+
+  ///@{
   /** Fragments in the fullest pixel. */
   vtkSetMacro(LongestList, vtkIdType);
   vtkGetMacro(LongestList, vtkIdType);
@@ -95,6 +101,7 @@ private:
   void operator=(const vtkTransparencyStatistics&) = delete;
 
   vtkIdType Fragments = 0;
+  vtkIdType SolvedFragments = 0;
   vtkIdType LongestList = 0;
   vtkIdType BufferBytes = 0;
   int Tiles = 0;

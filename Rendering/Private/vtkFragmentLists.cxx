@@ -69,7 +69,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentLists::GetShaderDefinitions(int samples)
+std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool optimize)
 {
   std::ostringstream definitions;
   const auto define = [&definitions](const char* name, auto value)
@@ -78,6 +78,9 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples)
   define("LINKS_BINDING", static_cast<int>(Links));
   define("COLORS_BINDING", static_cast<int>(Colors));
   define("LONG_LISTS_BINDING", static_cast<int>(LongLists));
+  define("IMPORTANCES_BINDING", static_cast<int>(Importances));
+  define("POSITIONS_BINDING", static_cast<int>(Positions));
+  define("OPTIMIZE", optimize ? 1 : 0);
   define("SAMPLES", samples);
   define("MAXIMUM_SHADER_LIST", MaximumShaderList);
   define("RUN_LENGTH", RunLength);
@@ -117,7 +120,7 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples)
+bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool optimize)
 {
   const vtkIdType nodeElements = std::max(nodes, this->NodeCapacity) + 1;
   const vtkIdType longLists = nodeElements / MaximumShaderList + 1;
@@ -126,7 +129,10 @@ bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples)
     this->Allocate(Links, nodeElements * static_cast<vtkIdType>(sizeof(Link))) &&
     this->Allocate(Colors, nodeElements * static_cast<vtkIdType>(sizeof(Color))) &&
     this->Allocate(
-      LongLists, longLists * (1 + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t)));
+      LongLists, longLists * (1 + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t))) &&
+    (!optimize ||
+      (this->Allocate(Importances, nodeElements * static_cast<vtkIdType>(sizeof(Importance))) &&
+        this->Allocate(Positions, nodeElements * static_cast<vtkIdType>(sizeof(Position)))));
   this->NodeCapacity = allocated ? nodeElements - 1 : 0;
   return allocated;
 }

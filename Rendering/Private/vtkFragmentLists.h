@@ -6,10 +6,12 @@
  *
  * | buffer     | element | content                                                            |
  * | ---------- | ------- | ------------------------------------------------------------------ |
- * | Heads      | uint    | four counters, then the first node of each pixel of the tile       |
+ * | Heads      | uint    | five counters, then the first node of each pixel of the tile       |
  * | Links      | uvec2   | next node (0: none), window depth as bits                          |
  * | Colors     | uvec2   | straight colour and opacity, 64 bits                               |
  * | LongLists  | uint    | lists for the CPU: pixel, then opaque depth of each sample         |
+ * | Importances | uvec2  | importance as bits, segment; where opacities are optimised         |
+ * | Positions  | uvec2   | between which opacities; where opacities are optimised             |
  *
  * Node 0 does not exist, so that 0 can end a list and clearing to 0 empties all of them.
  * A current OpenGL 4.3 context is needed by every function but the static ones.
@@ -34,6 +36,7 @@ public:
   static constexpr int MaximumShaderList = 2048;
   static constexpr int RunLength = 16;
   static constexpr vtkIdType BytesPerNode = 16;
+  static constexpr vtkIdType BytesPerOptimizedNode = 32;
   static constexpr vtkIdType BytesPerPixel = 4;
 
   struct Counters
@@ -42,6 +45,7 @@ public:
     std::uint32_t FragmentsHigh = 0;
     std::uint32_t LongestList = 0;
     std::uint32_t LongLists = 0;
+    std::uint32_t SolvedFragments = 0;
 
     vtkIdType GetFragments() const
     {
@@ -61,13 +65,27 @@ public:
     std::uint32_t High;
   };
 
+  struct Importance
+  {
+    std::uint32_t Bits;
+    std::uint32_t Segment;
+  };
+  struct Position
+  {
+    std::uint32_t Opacity;
+    std::uint32_t Share;
+  };
+
   vtkFragmentLists() = default;
   ~vtkFragmentLists() = default;
   vtkFragmentLists(const vtkFragmentLists&) = delete;
   void operator=(const vtkFragmentLists&) = delete;
 
-  /** `#define`s for the shaders. `samples` is the number of samples of the target, at least 1. */
-  static std::string GetShaderDefinitions(int samples);
+  /**
+   * `#define`s for the shaders. `samples` is the number of samples of the target, at least 1; with
+   * `optimize` the nodes hold importances and positions too.
+   */
+  static std::string GetShaderDefinitions(int samples, bool optimize);
 
   /** Most nodes that one buffer of this context can hold, whatever the memory limit. */
   static vtkIdType GetLargestNodeCapacity();
@@ -76,7 +94,7 @@ public:
    * Make room for the heads of so many pixels and so many nodes; never shrinks. Returns false, with
    * the old capacity untouched or 0, when OpenGL is out of memory.
    */
-  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples);
+  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool optimize);
   vtkIdType GetNodeCapacity() const { return this->NodeCapacity; }
   vtkIdType GetBytes() const;
 
@@ -102,6 +120,8 @@ private:
     Links,
     Colors,
     LongLists,
+    Importances,
+    Positions,
     NumberOfBuffers
   };
   bool Allocate(Buffer buffer, vtkIdType bytes);

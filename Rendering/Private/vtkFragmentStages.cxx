@@ -3,9 +3,11 @@
 
 #include "vtkFragmentStages.h"
 
+#include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
 #include "vtkFragmentResolveFS.h"
+#include "vtkFragmentSolveFS.h"
 #include "vtkFragmentSortFS.h"
 #include "vtkFragmentStageVS.h"
 #include "vtkOpaqueDepthDec.h"
@@ -13,6 +15,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOptimizedOpacityDec.h"
+#include "vtkSegmentOpacities.h"
+#include "vtkSegmentTablesDec.h"
 #include "vtkShaderProgram.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,14 +31,22 @@ void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectang
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const char* fragmentShader, bool sampleShading)
+  const vtkPixelRectangle& tile, const char* fragmentShader, const std::string& moreDefinitions)
 {
-  std::string definitions = vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples());
-  definitions += "#define PELLUCID_SAMPLE_SHADING " + std::to_string(sampleShading ? 1 : 0) + "\n";
+  const std::string definitions =
+    vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->Optimize) +
+    vtkSegmentOpacities::GetShaderDefinitions() + moreDefinitions;
+  const auto whereOptimizing = [this](const char* code) { return this->Optimize ? code : ""; };
   std::string source = fragmentShader;
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Definitions", definitions);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::OpaqueDepth", vtkOpaqueDepthDec);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::Importance", whereOptimizing(vtkFragmentImportanceDec));
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::Segments", whereOptimizing(vtkSegmentTablesDec));
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::Opacity", whereOptimizing(vtkOptimizedOpacityDec));
 
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   vtkShaderProgram* program =
@@ -67,7 +80,24 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
 void vtkFragmentStages::Sort(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentSortFS, false);
+  this->Draw(window, opaque, tile, vtkFragmentSortFS);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Solve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, vtkIdType longestList)
+{
+  const auto solve = [&](int blocks)
+  {
+    this->Draw(window, opaque, tile, vtkFragmentSolveFS,
+      "#define PELLUCID_BLOCKS " + std::to_string(blocks) + "\n");
+  };
+  solve(1);
+  if (longestList > vtkFragmentLists::RunLength)
+  {
+    solve(vtkFragmentLists::MaximumShaderList / vtkFragmentLists::RunLength);
+  }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -75,10 +105,10 @@ void vtkFragmentStages::Sort(
 void vtkFragmentStages::Resolve(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentResolveFS, false);
+  this->Draw(window, opaque, tile, vtkFragmentResolveFS, "#define PELLUCID_SAMPLE_SHADING 0\n");
   if (opaque.GetSamples() > 1)
   {
-    this->Draw(window, opaque, tile, vtkFragmentResolveFS, true);
+    this->Draw(window, opaque, tile, vtkFragmentResolveFS, "#define PELLUCID_SAMPLE_SHADING 1\n");
   }
 }
 

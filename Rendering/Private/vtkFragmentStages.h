@@ -11,6 +11,8 @@
 #include "vtkFragmentTiles.h" // for vtkPixelRectangle
 #include "vtkOpenGLError.h"   // for OpenGL itself, through the loader that this VTK uses
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOpaqueLayer;
@@ -33,11 +35,21 @@ public:
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
 
   /**
+   * Find the optimal opacity of the fragments of sorted lists, whose longest is `longestList`, and
+   * from these the least one of each segment. Framebuffer as for Sort.
+   */
+  void Solve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, vtkIdType longestList);
+
+  /**
    * Composite the sorted lists over the opaque layer into the current framebuffer. May be repeated:
    * the result does not depend on what the framebuffer holds.
    */
   void Resolve(
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+
+  /** Whether the nodes hold importances, and the opacities are optimised. */
+  void SetOptimize(bool optimize) { this->Optimize = optimize; }
 
   /** Set the uniforms of glsl/vtkFragmentListsDec.glsl. */
   static void SetTile(vtkShaderProgram* program, const vtkPixelRectangle& tile);
@@ -46,8 +58,10 @@ public:
 
 private:
   void Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, const char* fragmentShader, bool sampleShading);
+    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const std::string& moreDefinitions = std::string());
 
+  bool Optimize = false;
   GLuint VertexArray = 0;
 };
 

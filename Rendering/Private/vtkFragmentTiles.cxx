@@ -23,14 +23,15 @@ vtkIdType DivideUp(vtkIdType dividend, vtkIdType divisor)
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentTiles::Begin(
-  const vtkPixelRectangle& viewport, vtkIdType limitBytes, vtkIdType nodeCapacity)
+void vtkFragmentTiles::Begin(const vtkPixelRectangle& viewport, vtkIdType limitBytes,
+  vtkIdType nodeCapacity, vtkIdType bytesPerNode)
 {
   const bool sameImage = viewport == this->Viewport && limitBytes == this->LimitBytes &&
-    nodeCapacity == this->NodeCapacity;
+    nodeCapacity == this->NodeCapacity && bytesPerNode == this->BytesPerNode;
   this->Viewport = viewport;
   this->LimitBytes = limitBytes;
   this->NodeCapacity = nodeCapacity;
+  this->BytesPerNode = bytesPerNode;
 
   // Half the room of one tile is left when the last frame is gathered as a whole again.
   const bool fitsAsWhole = this->Fragments <= this->GetNodeLimit() / 2;
@@ -82,7 +83,7 @@ vtkIdType vtkFragmentTiles::GetNodeLimit() const
 {
   const vtkIdType nodeBytes =
     this->LimitBytes - this->LimitBytes / HeadsPart - this->LimitBytes / NotesPart;
-  return std::clamp<vtkIdType>(nodeBytes / vtkFragmentLists::BytesPerNode, 1, this->NodeCapacity);
+  return std::clamp<vtkIdType>(nodeBytes / this->BytesPerNode, 1, this->NodeCapacity);
 }
 
 //------------------------------------------------------------------------------

@@ -37,10 +37,11 @@ class vtkFragmentTiles
 {
 public:
   /**
-   * Begin a frame. `limitBytes` bounds heads and nodes together, `nodeCapacity` the nodes of one
-   * tile, and its heads, which are smaller, too.
+   * Begin a frame, or the second sweep over its tiles. `limitBytes` bounds heads and nodes
+   * together, `nodeCapacity` the nodes of one tile, and its heads, which are smaller, too.
    */
-  void Begin(const vtkPixelRectangle& viewport, vtkIdType limitBytes, vtkIdType nodeCapacity);
+  void Begin(const vtkPixelRectangle& viewport, vtkIdType limitBytes, vtkIdType nodeCapacity,
+    vtkIdType bytesPerNode);
 
   /** Allow fewer nodes in this frame, because there was no memory for more. */
   void LowerNodeCapacity(vtkIdType nodeCapacity);
@@ -75,6 +76,7 @@ private:
   vtkPixelRectangle Viewport;
   vtkIdType LimitBytes = 0;
   vtkIdType NodeCapacity = 0;
+  vtkIdType BytesPerNode = 1;
   vtkIdType Fragments = 0;
   std::deque<vtkPixelRectangle> Pending;
   std::vector<vtkPixelRectangle> Finished;

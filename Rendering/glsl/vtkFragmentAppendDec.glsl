@@ -18,6 +18,11 @@ bool pellucidIsHidden(float depth)
   return pellucidStoredDepth(depth) > pellucidFarthestOpaqueLimit(ivec2(gl_FragCoord.xy));
 }
 
+#if PELLUCID_OPTIMIZE
+uvec2 pellucidImportance = uvec2(0u); // of this fragment; of an actor that takes part, the mapper's code sets it
+uvec2 pellucidPosition = uvec2(0u);
+#endif
+
 void pellucidAppend(vec4 color, float depth)
 {
   int pixel = pellucidPixelIndex(ivec2(gl_FragCoord.xy));
@@ -35,5 +40,9 @@ void pellucidAppend(vec4 color, float depth)
     uint next = atomicExchange(pellucidHeads[pixel], node);
     pellucidLinks[node] = uvec2(next, floatBitsToUint(pellucidStoredDepth(depth)));
     pellucidColors[node] = pellucidPackColor(color.rgb, color.a);
+#if PELLUCID_OPTIMIZE
+    pellucidImportances[node] = pellucidImportance;
+    pellucidPositions[node] = pellucidPosition;
+#endif
   }
 }

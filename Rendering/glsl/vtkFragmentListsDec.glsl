@@ -12,6 +12,7 @@ layout(std430, binding = PELLUCID_HEADS_BINDING) buffer PellucidHeads
   uint pellucidFragmentCountHigh; // multiples of 2^32
   uint pellucidLongestList;       // of the lists that the sort saw as a whole
   uint pellucidLongListCount;     // lists that are left to the CPU
+  uint pellucidSolvedCount;       // fragments whose opacity was optimised
   uint pellucidHeads[];           // first node of each pixel of the tile, 0: none
 };
 

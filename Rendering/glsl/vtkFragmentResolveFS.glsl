@@ -7,11 +7,14 @@
 // two draws: PELLUCID_SAMPLE_SHADING 0 for pixels whose samples all have the same result, then 1,
 // once for each sample of the others.
 //
-// Reads: heads, links, colours, the copied opaque colour and depth. Writes: the pixel's colour.
+// Reads: heads, links, colours, the copied opaque colour and depth, the optimised opacities. Writes: the
+// pixel's colour.
 //
 // Front-to-back compositing: M. Bandle 2016, equations 2.3 and 2.4, with premultiplied accumulation.
 
 //VTK::Pellucid::Lists
+//VTK::Pellucid::Importance
+//VTK::Pellucid::Opacity
 //VTK::Pellucid::OpaqueDepth
 
 #if PELLUCID_SAMPLES > 1
@@ -88,6 +91,9 @@ void main()
       break;
     }
     vec4 fragment = pellucidUnpackColor(pellucidColors[node]);
+#if PELLUCID_OPTIMIZE
+    fragment.a *= pellucidOptimizedOpacity(pellucidPositions[node]);
+#endif
     color += transmittance * fragment.a * fragment.rgb;
     transmittance *= 1.0 - fragment.a;
     node = link.x;

@@ -8,13 +8,15 @@
 // one insertion sort and a long one n log n steps. Lists above PELLUCID_MAXIMUM_SHADER_LIST are
 // noted for the CPU: software renderers end a shader invocation after some 65,000 loop iterations.
 //
-// Reads and writes: links, heads. Reads: colours of fragments of equal depth. Writes: the longest
+// Reads and writes: links, heads. Reads: colours and importances of fragments of equal depth. Writes: the longest
 // list, the long lists. No colour output.
 
 //VTK::Pellucid::Lists
+//VTK::Pellucid::Importance
 //VTK::Pellucid::OpaqueDepth
 
-// Nearer first; then less opaque; then by red, green, blue. Nodes equal in all this are interchangeable.
+// Nearer first; then less opaque; then by red, green, blue; then less important. Nodes equal in all this
+// are interchangeable.
 bool isBefore(uint a, uint depthA, uint b, uint depthB)
 {
   if (depthA != depthB)
@@ -23,6 +25,14 @@ bool isBefore(uint a, uint depthA, uint b, uint depthB)
   }
   uvec2 colorA = pellucidColors[a];
   uvec2 colorB = pellucidColors[b];
+#if PELLUCID_OPTIMIZE
+  if (colorA == colorB)
+  {
+    uvec2 importanceA = pellucidImportances[a];
+    uvec2 importanceB = pellucidImportances[b];
+    return importanceA.x != importanceB.x ? importanceA.x < importanceB.x : importanceA.y < importanceB.y;
+  }
+#endif
   return colorA.y != colorB.y ? colorA.y < colorB.y : colorA.x < colorB.x;
 }
 

@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkOptimizedScene.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMapper.h"
+#include "vtkOpacityOptimization.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTrajectoryMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+//------------------------------------------------------------------------------
+vtkDataArray* GetLineSegments(vtkPolyData* data)
+{
+  vtkDataArray* first = data->GetCellData()->GetArray("FirstSegment");
+  const bool complete = data->GetPointData()->GetArray("SegmentBase") &&
+    data->GetPointData()->GetArray("SegmentWeight") &&
+    data->GetCellData()->GetArray("NumberOfSegments");
+  return complete ? first : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Of surfaces; null unless all that is needed is there.
+vtkDataArray* GetSurfaceNeighbors(vtkPolyData* data)
+{
+  vtkDataArray* ids = data->GetPointData()->GetArray("SegmentIds");
+  vtkDataArray* weights = data->GetPointData()->GetArray("SegmentWeights");
+  const bool complete = ids && weights &&
+    ids->GetNumberOfComponents() == weights->GetNumberOfComponents() &&
+    ids->GetNumberOfComponents() <= 4;
+  return complete
+    ? vtkDataArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SegmentNeighbors"))
+    : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkOptimizedScene::Source::operator==(const Source& other) const
+{
+  return std::tie(
+           this->Prop, this->Optimization, this->OptimizationTime, this->Leaves, this->LeafTimes) ==
+    std::tie(other.Prop, other.Optimization, other.OptimizationTime, other.Leaves, other.LeafTimes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
+{
+  std::vector<Source> sources;
+  for (vtkProp* prop : props)
+  {
+    vtkOpacityOptimization* optimization = vtkOpacityOptimization::Get(prop);
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!optimization || !actor || !actor->GetMapper() ||
+      actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+    {
+      continue;
+    }
+    actor->GetMapper()->Update();
+    Source source{ prop, optimization, optimization->GetMTime(), {}, {} };
+    source.Leaves =
+      vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
+    for (vtkPolyData* leaf : source.Leaves)
+    {
+      source.LeafTimes.push_back(leaf->GetMTime());
+    }
+    if (!source.Leaves.empty())
+    {
+      sources.push_back(source);
+    }
+  }
+  if (sources == this->Sources)
+  {
+    return false;
+  }
+  this->Clear();
+  this->Sources = std::move(sources);
+  for (const Source& source : this->Sources)
+  {
+    this->AddActor(source);
+  }
+  this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::Clear()
+{
+  this->Members.clear();
+  this->ActorParameters.assign(1, Parameters());
+  this->ActorOfSegment.assign(1, 0);
+  this->FirstNeighbors.assign(1, 0);
+  this->Neighbors.clear();
+  this->Corners.clear();
+  this->MissingArrays.clear();
+  this->LeastImportance = VTK_DOUBLE_MAX;
+  this->GreatestImportance = VTK_DOUBLE_MIN;
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddActor(const Source& source)
+{
+  vtkOpacityOptimization* optimization = source.Optimization;
+  const auto actor = static_cast<std::uint32_t>(this->ActorParameters.size());
+  const auto toFloat = [](double value)
+  { return static_cast<float>(std::min<double>(value, std::numeric_limits<float>::max())); };
+  this->ActorParameters.push_back({ toFloat(optimization->GetOcclusionWeight()),
+    toFloat(optimization->GetClutterWeight()), toFloat(2.0 * optimization->GetEmphasis()),
+    static_cast<std::uint32_t>(optimization->GetSmoothingIterations()),
+    optimization->GetSelfOcclusion() ? 1u : 0u });
+
+  Member& member = this->Members[source.Prop];
+  member.Optimization = optimization;
+  for (vtkPolyData* leaf : source.Leaves)
+  {
+    Part part;
+    part.Data = leaf;
+    this->AddSegments(leaf, actor, part);
+    this->AddImportances(leaf, optimization);
+    member.Parts.push_back(part);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t vtkOptimizedScene::CountSegments(vtkPolyData* data)
+{
+  if (vtkDataArray* first = GetLineSegments(data))
+  {
+    vtkDataArray* counts = data->GetCellData()->GetArray("NumberOfSegments");
+    double segments = 0.0;
+    for (vtkIdType cell = 0; cell < first->GetNumberOfTuples(); ++cell)
+    {
+      segments = std::max(segments, first->GetComponent(cell, 0) + counts->GetComponent(cell, 0));
+    }
+    return std::max(1u, static_cast<std::uint32_t>(segments));
+  }
+  if (vtkDataArray* neighbors = GetSurfaceNeighbors(data))
+  {
+    return std::max(1u, static_cast<std::uint32_t>(neighbors->GetNumberOfTuples()));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddSegments(vtkPolyData* data, std::uint32_t actor, Part& part)
+{
+  part.FirstSegment = static_cast<std::uint32_t>(this->ActorOfSegment.size());
+  const std::uint32_t count = vtkOptimizedScene::CountSegments(data);
+  this->ActorOfSegment.resize(part.FirstSegment + count, actor);
+  if (GetLineSegments(data))
+  {
+    this->AddLineNeighbors(data, count, part.FirstSegment);
+  }
+  else if (GetSurfaceNeighbors(data))
+  {
+    this->AddSurfaceNeighbors(data, count, part.FirstSegment);
+    this->AddCorners(data, part);
+  }
+  else
+  {
+    this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddLineNeighbors(
+  vtkPolyData* data, std::uint32_t count, std::uint32_t first)
+{
+  // Whether a segment is followed by another one of its line.
+  std::vector<bool> joined(count, false);
+  vtkDataArray* firsts = data->GetCellData()->GetArray("FirstSegment");
+  vtkDataArray* counts = data->GetCellData()->GetArray("NumberOfSegments");
+  for (vtkIdType cell = 0; cell < firsts->GetNumberOfTuples(); ++cell)
+  {
+    const double begin = firsts->GetComponent(cell, 0);
+    const double length = counts->GetComponent(cell, 0);
+    if (begin < 0.0 || length < 2.0)
+    {
+      continue;
+    }
+    const auto firstJoined = joined.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::fill(firstJoined, firstJoined + static_cast<std::ptrdiff_t>(length) - 1, true);
+  }
+  for (std::uint32_t segment = 0; segment < count; ++segment)
+  {
+    this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
+    if (segment > 0 && joined[segment - 1])
+    {
+      this->Neighbors.push_back(first + segment - 1);
+    }
+    if (joined[segment])
+    {
+      this->Neighbors.push_back(first + segment + 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddSurfaceNeighbors(
+  vtkPolyData* data, std::uint32_t count, std::uint32_t first)
+{
+  vtkDataArray* neighbors = GetSurfaceNeighbors(data);
+  for (std::uint32_t segment = 0; segment < count; ++segment)
+  {
+    this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
+    for (int i = 0; i < neighbors->GetNumberOfComponents(); ++i)
+    {
+      const double neighbor = neighbors->GetComponent(segment, i);
+      if (neighbor >= 0.0)
+      {
+        this->Neighbors.push_back(first + static_cast<std::uint32_t>(neighbor));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
+{
+  part.HasCorners = true;
+  part.FirstCorner = static_cast<std::uint32_t>(this->Corners.size());
+  vtkDataArray* ids = data->GetPointData()->GetArray("SegmentIds");
+  vtkDataArray* weights = data->GetPointData()->GetArray("SegmentWeights");
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    Corner corner{};
+    for (int i = 0; i < ids->GetNumberOfComponents(); ++i)
+    {
+      const double id = ids->GetComponent(point, i);
+      const bool used = id >= 0.0;
+      corner.Segments[i] = used ? part.FirstSegment + static_cast<std::uint32_t>(id) : 0;
+      corner.Weights[i] = used ? static_cast<float>(weights->GetComponent(point, i)) : 0.0f;
+    }
+    this->Corners.push_back(corner);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddImportances(vtkPolyData* data, vtkOpacityOptimization* optimization)
+{
+  const char* name = optimization->GetImportanceArray();
+  vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
+  double range[2] = { 0.0, 0.0 };
+  if (array && array->GetNumberOfComponents() == 1)
+  {
+    array->GetFiniteRange(range);
+  }
+  else
+  {
+    this->MissingArrays.emplace_back(name ? name : "");
+  }
+  this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
+  this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+bool vtkOptimizedScene::HasEffect() const
+{
+  return this->LeastImportance < this->GreatestImportance &&
+    std::any_of(this->ActorParameters.begin(), this->ActorParameters.end(),
+      [](const Parameters& actor)
+      { return actor.OcclusionWeight > 0.0f || actor.ClutterWeight > 0.0f; });
+}
+
+//------------------------------------------------------------------------------
+const vtkOptimizedScene::Member* vtkOptimizedScene::Find(vtkProp* prop) const
+{
+  const auto member = this->Members.find(prop);
+  return member == this->Members.end() ? nullptr : &member->second;
+}
+
+//------------------------------------------------------------------------------
+const vtkOptimizedScene::Part& vtkOptimizedScene::Member::FindPart(vtkAbstractMapper* mapper) const
+{
+  auto* drawing = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* data = drawing ? drawing->GetInput() : nullptr;
+  const auto part = std::find_if(this->Parts.begin(), this->Parts.end(),
+    [data](const Part& candidate) { return candidate.Data == data; });
+  return part == this->Parts.end() ? this->Parts.front() : *part;
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::MapImportances() const
+{
+  for (const Source& source : this->Sources)
+  {
+    auto* mapper =
+      vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(source.Prop)->GetMapper());
+    if (mapper && !vtkTrajectoryMapper::SafeDownCast(mapper))
+    {
+      mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
+        source.Optimization->GetImportanceArray(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkOptimizedScene::GetSmoothingIterations() const
+{
+  std::uint32_t most = 0;
+  for (const Parameters& actor : this->ActorParameters)
+  {
+    most = std::max(most, actor.SmoothingIterations);
+  }
+  return static_cast<int>(most);
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The actors of a frame whose opacities are optimised, and their segments, as tables for the
+ * shaders of vtkSegmentOpacities. Needs no OpenGL.
+ *
+ * Opacities are numbered through all actors: number 0 is that of everything that takes no part,
+ * then follow the segments of each actor, then the corners of all triangles that interpolate
+ * between segments.
+ */
+
+#ifndef vtkOptimizedScene_h
+#define vtkOptimizedScene_h
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAbstractMapper;
+class vtkOpacityOptimization;
+class vtkPolyData;
+class vtkProp;
+
+class vtkOptimizedScene
+{
+public:
+  /** Parameters of one actor, as glsl/vtkSegmentTablesDec.glsl has them. */
+  struct Parameters
+  {
+    float OcclusionWeight = 0.0f;
+    float ClutterWeight = 0.0f;
+    float Exponent = 1.0f;
+    std::uint32_t SmoothingIterations = 0;
+    std::uint32_t SelfOcclusion = 0;
+  };
+
+  /** Where the opacities of a part of an actor, one vtkPolyData, begin. */
+  struct Part
+  {
+    vtkPolyData* Data = nullptr;
+    std::uint32_t FirstSegment = 0;
+    bool HasCorners = false;       ///< point 3 t + c is corner c of triangle t
+    std::uint32_t FirstCorner = 0; ///< in GetCorners()
+  };
+
+  /** One actor that takes part. */
+  struct Member
+  {
+    vtkOpacityOptimization* Optimization = nullptr;
+    std::vector<Part> Parts; ///< one at least
+
+    /** What that mapper draws. */
+    const Part& FindPart(vtkAbstractMapper* mapper) const;
+  };
+
+  /** Segments of a corner, nearest first, and their shares in its opacity. */
+  struct Corner
+  {
+    std::uint32_t Segments[4];
+    float Weights[4];
+  };
+
+  /** Take the actors among the props. Returns whether the tables are other ones than before. */
+  bool Update(const std::vector<vtkProp*>& props);
+
+  /**
+   * Whether anything can fade: there is an actor with a weight above 0, and the importances of the
+   * actors are not all the same.
+   */
+  bool HasEffect() const;
+
+  /** The entry of a prop; null when it takes no part. */
+  const Member* Find(vtkProp* prop) const;
+
+  int GetSmoothingIterations() const;
+
+  ///@{
+  /** Tables. The first element of the first three is that of what takes no part. */
+  const std::vector<Parameters>& GetParameters() const { return this->ActorParameters; }
+  const std::vector<std::uint32_t>& GetActors() const { return this->ActorOfSegment; }
+  const std::vector<std::uint32_t>& GetFirstNeighbors() const { return this->FirstNeighbors; }
+  const std::vector<std::uint32_t>& GetNeighbors() const { return this->Neighbors; }
+  const std::vector<Corner>& GetCorners() const { return this->Corners; }
+  ///@}
+
+  vtkIdType GetNumberOfSegments() const
+  {
+    return static_cast<vtkIdType>(this->ActorOfSegment.size());
+  }
+
+  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. */
+  void MapImportances() const;
+
+  /** Importance arrays that the data of an actor lacks, each once after an update. */
+  std::vector<std::string> TakeMissingArrays() { return std::move(this->MissingArrays); }
+
+  /** Segments of a part: as its arrays say, or 1. */
+  static std::uint32_t CountSegments(vtkPolyData* data);
+
+private:
+  struct Source
+  {
+    vtkProp* Prop;
+    vtkOpacityOptimization* Optimization;
+    vtkMTimeType OptimizationTime;
+    std::vector<vtkPolyData*> Leaves;
+    std::vector<vtkMTimeType> LeafTimes;
+    bool operator==(const Source& other) const;
+  };
+
+  void Clear();
+  void AddActor(const Source& source);
+  void AddSegments(vtkPolyData* data, std::uint32_t actor, Part& part);
+  void AddLineNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
+  void AddSurfaceNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
+  void AddCorners(vtkPolyData* data, Part& part);
+  void AddImportances(vtkPolyData* data, vtkOpacityOptimization* optimization);
+
+  std::vector<Source> Sources;
+  std::map<vtkProp*, Member> Members;
+  std::vector<Parameters> ActorParameters;
+  std::vector<std::uint32_t> ActorOfSegment;
+  std::vector<std::uint32_t> FirstNeighbors;
+  std::vector<std::uint32_t> Neighbors;
+  std::vector<Corner> Corners;
+  std::vector<std::string> MissingArrays;
+  double LeastImportance = 0.0;
+  double GreatestImportance = 0.0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSegmentOpacities.h"
+
+#include "vtkCornerOpacitiesFS.h"
+#include "vtkFragmentStageVS.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOptimizedScene.h"
+#include "vtkSegmentSmoothFS.h"
+#include "vtkSegmentTablesDec.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+// Bindings behind those of vtkFragmentLists, which stay bound in gather, solve and resolve. The
+// steps between those use the bindings of the lists for tables of their own.
+constexpr GLuint SegmentsBinding = 6;
+constexpr GLuint ActorsBinding = 7;
+constexpr GLuint GatherCornersBinding = 6;
+constexpr GLuint OpacitiesBinding = 6;
+constexpr GLuint FirstNeighborsBinding = 0;
+constexpr GLuint NeighborsBinding = 1;
+constexpr GLuint SourceBinding = 2;
+constexpr GLuint TargetBinding = 3;
+constexpr GLuint CornersBinding = 7;
+
+constexpr std::uint32_t Unseen = 0xffffffffu;
+
+// How far a segment moves towards its neighbours in one step. With 1 the opacities of two
+// neighbours would be exchanged; 1/2 gives the binomial weights 1/4, 1/2, 1/4 on a line.
+constexpr double Relaxation = 0.5;
+
+// Invocations in a row of the framebuffer.
+constexpr int RowLength = 2048;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSegmentOpacities::GetShaderDefinitions()
+{
+  std::ostringstream definitions;
+  const auto define = [&definitions](const char* name, auto value)
+  { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
+  define("SEGMENTS_BINDING", SegmentsBinding);
+  define("ACTORS_BINDING", ActorsBinding);
+  define("GATHER_CORNERS_BINDING", GatherCornersBinding);
+  define("OPACITIES_BINDING", OpacitiesBinding);
+  define("FIRST_NEIGHBORS_BINDING", FirstNeighborsBinding);
+  define("NEIGHBORS_BINDING", NeighborsBinding);
+  define("SOURCE_BINDING", SourceBinding);
+  define("TARGET_BINDING", TargetBinding);
+  define("CORNERS_BINDING", CornersBinding);
+  define("UNSEEN", "0xffffffffu");
+  define("RELAXATION", Relaxation);
+  define("TRIANGLE", "0x80000000u");
+  return definitions.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSegmentOpacities::Allocate(Buffer buffer, vtkIdType bytes, const void* data)
+{
+  if (!this->Handles[buffer])
+  {
+    glGenBuffers(1, &this->Handles[buffer]);
+  }
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[buffer]);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, std::max<vtkIdType>(bytes, 4), data, GL_DYNAMIC_COPY);
+  const bool allocated = glGetError() != GL_OUT_OF_MEMORY;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  this->Bytes[buffer] = allocated ? bytes : 0;
+  return allocated;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSegmentOpacities::Upload(const vtkOptimizedScene& scene)
+{
+  this->NumberOfSegments = scene.GetNumberOfSegments();
+  this->NumberOfCorners = static_cast<vtkIdType>(scene.GetCorners().size());
+  std::vector<std::uint32_t> segments;
+  segments.reserve(2 * this->NumberOfSegments);
+  for (const std::uint32_t actor : scene.GetActors())
+  {
+    segments.insert(segments.end(), { Unseen, actor });
+  }
+  const auto put = [this](Buffer buffer, const auto& table)
+  {
+    return this->Allocate(
+      buffer, static_cast<vtkIdType>(table.size() * sizeof(table.front())), table.data());
+  };
+  const auto opacityBytes =
+    static_cast<vtkIdType>(sizeof(float)) * (this->NumberOfSegments + this->NumberOfCorners);
+  return put(Segments, segments) && put(Actors, scene.GetParameters()) &&
+    put(FirstNeighbors, scene.GetFirstNeighbors()) && put(Neighbors, scene.GetNeighbors()) &&
+    put(Corners, scene.GetCorners()) && this->Allocate(Source, opacityBytes, nullptr) &&
+    this->Allocate(Target, opacityBytes, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::BindTables() const
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SegmentsBinding, this->Handles[Segments]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, ActorsBinding, this->Handles[Actors]);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::BindCorners() const
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GatherCornersBinding, this->Handles[Corners]);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::BindOpacities() const
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OpacitiesBinding, this->Handles[Source]);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Unbind()
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SegmentsBinding, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, ActorsBinding, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (this->Framebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglDrawBuffer(GL_NONE);
+  vtkOpenGLState::ScopedglViewport viewportSaver(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
+  for (const GLenum capability : { GL_SCISSOR_TEST, GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE })
+  {
+    state->vtkglDisable(capability);
+  }
+
+  this->BindTables();
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, FirstNeighborsBinding, this->Handles[FirstNeighbors]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NeighborsBinding, this->Handles[Neighbors]);
+  for (int iteration = 0; iteration <= iterations; ++iteration)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SourceBinding, this->Handles[Source]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Target]);
+    this->DrawStep(window, vtkSegmentSmoothFS, this->NumberOfSegments, iteration);
+    std::swap(this->Handles[Source], this->Handles[Target]);
+  }
+  if (this->NumberOfCorners > 0)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, CornersBinding, this->Handles[Corners]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Source]);
+    this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::DrawStep(
+  vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements, int iteration)
+{
+  std::string source = fragmentShader;
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::Definitions", vtkSegmentOpacities::GetShaderDefinitions());
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Segments", vtkSegmentTablesDec);
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  vtkShaderProgram* program =
+    cache->ReadyShaderProgram(vtkFragmentStageVS, source.c_str(), "", nullptr);
+  if (!program)
+  {
+    return;
+  }
+  const int width = static_cast<int>(std::min<vtkIdType>(elements, RowLength));
+  const int height = static_cast<int>((elements + width - 1) / width);
+  program->SetUniformi("elementCount", static_cast<int>(elements));
+  program->SetUniformi("rowLength", width);
+  program->SetUniformi("iteration", iteration);
+  program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+  window->GetState()->vtkglViewport(0, 0, width, height);
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  cache->ReleaseCurrentShader();
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSegmentOpacities::GetBytes() const
+{
+  vtkIdType bytes = 0;
+  for (const vtkIdType bufferBytes : this->Bytes)
+  {
+    bytes += bufferBytes;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Release()
+{
+  glDeleteBuffers(NumberOfBuffers, this->Handles.data());
+  glDeleteFramebuffers(1, &this->Framebuffer);
+  glDeleteVertexArrays(1, &this->VertexArray);
+  this->Handles.fill(0);
+  this->Bytes.fill(0);
+  this->NumberOfSegments = 0;
+  this->NumberOfCorners = 0;
+  this->Framebuffer = 0;
+  this->VertexArray = 0;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The opacities of the segments of a vtkOptimizedScene in graphics memory, from the least opacity
+ * of their fragments, which vtkFragmentStages::Solve() finds, to those that the resolve looks up.
+ *
+ * | buffer         | element | content                                                         |
+ * | -------------- | ------- | --------------------------------------------------------------- |
+ * | Segments       | uvec2   | least opacity of its fragments as bits, actor                   |
+ * | Actors         | 5 words | vtkOptimizedScene::Parameters                                   |
+ * | FirstNeighbors | uint    | first entry of each segment in Neighbors, and the end           |
+ * | Neighbors      | uint    | segments                                                        |
+ * | Corners        | 8 words | vtkOptimizedScene::Corner                                       |
+ * | Source, Target | float   | opacity of each segment, then of each corner; negative: unknown |
+ *
+ * A current OpenGL 4.3 context is needed by every function but the static ones.
+ */
+
+#ifndef vtkSegmentOpacities_h
+#define vtkSegmentOpacities_h
+
+#include "vtkOpenGLError.h" // for OpenGL itself, through the loader that this VTK uses
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkOpenGLRenderWindow;
+class vtkOptimizedScene;
+
+class vtkSegmentOpacities
+{
+public:
+  vtkSegmentOpacities() = default;
+  ~vtkSegmentOpacities() = default;
+  vtkSegmentOpacities(const vtkSegmentOpacities&) = delete;
+  void operator=(const vtkSegmentOpacities&) = delete;
+
+  /** `#define`s for the shaders, which go with those of vtkFragmentLists. */
+  static std::string GetShaderDefinitions();
+
+  /** Take the tables of a scene. Returns false when OpenGL is out of memory. */
+  bool Upload(const vtkOptimizedScene& scene);
+
+  ///@{
+  /** Bind what the gather, and what the solve needs. */
+  void BindCorners() const;
+  void BindTables() const;
+  ///@}
+
+  /**
+   * Take the least opacities of the fragments, which are forgotten for the next frame, smooth them
+   * so many times, and interpolate at the corners. Draws into a framebuffer of its own; the caller
+   * saves the current one.
+   */
+  void Smooth(vtkOpenGLRenderWindow* window, int iterations);
+
+  /** Bind what the resolve needs. */
+  void BindOpacities() const;
+
+  static void Unbind();
+
+  vtkIdType GetBytes() const;
+  void Release();
+
+private:
+  enum Buffer
+  {
+    Segments,
+    Actors,
+    FirstNeighbors,
+    Neighbors,
+    Corners,
+    Source,
+    Target,
+    NumberOfBuffers
+  };
+
+  bool Allocate(Buffer buffer, vtkIdType bytes, const void* data);
+  void DrawStep(
+    vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements, int iteration);
+
+  std::array<GLuint, NumberOfBuffers> Handles{};
+  std::array<vtkIdType, NumberOfBuffers> Bytes{};
+  vtkIdType NumberOfSegments = 0;
+  vtkIdType NumberOfCorners = 0;
+  GLuint Framebuffer = 0;
+  GLuint VertexArray = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

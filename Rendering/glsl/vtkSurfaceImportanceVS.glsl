@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Gather: added to the vertex shader of VTK's mappers for actors whose opacities are optimised.
+//
+// Reads: the importance of the vertex. Writes: what vtkSurfaceImportanceDec.glsl reads. Of data that
+// vtkSurfaceSegments made, vertex 3 t + c is corner c of triangle t.
+
+in float pellucidImportanceMC;
+out float pellucidImportanceVSOutput;
+out vec2 pellucidSharesVSOutput;
+flat out int pellucidVertexVSOutput;
+
+void pellucidPassImportance()
+{
+  int corner = gl_VertexID % 3;
+  pellucidImportanceVSOutput = pellucidImportanceMC;
+  pellucidSharesVSOutput = vec2(corner == 1, corner == 2);
+  pellucidVertexVSOutput = gl_VertexID;
+}
