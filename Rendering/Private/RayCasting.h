@@ -186,8 +186,11 @@ private:
       normal = this->TowardsViewer(
         glm::normalize(glm::cross(b.position - a.position, c.position - a.position)), position);
     }
-    this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color),
-      blend(a.opacity, b.opacity, c.opacity), position, normal, depth, pixel);
+    // Equal factors stay the same to the last bit, though weights need not add up to 1.
+    const Real opacity =
+      a.opacity + hit.weights.y * (b.opacity - a.opacity) + hit.weights.z * (c.opacity - a.opacity);
+    this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color), opacity, position,
+      normal, depth, pixel);
   }
 
   Vector3<Real> TowardsViewer(const Vector3<Real>& normal, const Vector3<Real>& position) const
@@ -392,7 +395,7 @@ private:
     const auto& first = this->Input.tubePoints[piece.first];
     const auto& last = this->Input.tubePoints[piece.last];
     const Vector4<Real> color = glm::mix(first.color, last.color, hit.axis);
-    const Real opacity = glm::mix(first.opacity, last.opacity, hit.axis);
+    const Real opacity = first.opacity + hit.axis * (last.opacity - first.opacity);
     const Real depth = View<Real>::WindowDepth(this->Input.view.ClipCoordinates(position));
     this->AddFragment(this->Input.surfaces[piece.surface], true, color, opacity, position, normal,
       glm::clamp(depth, Real(0), Real(1)), pixel);
