@@ -120,7 +120,8 @@ struct vtkExactTransparencyPass::Internals
                           : vtkFragmentLists::BytesPerNode;
   }
 
-  /** Of the prop that is being gathered; null when its opacities are not optimised, or ... */
+  /** The entry of the prop that is being gathered, for mappers that do not bring their importances
+   * themselves; null where the opacities are not optimised. */
   const vtkOptimizedScene::Member* FindMember(vtkAbstractMapper* mapper) const
   {
     const bool brings = vtkRoundedConeMapper::SafeDownCast(mapper) != nullptr;
@@ -679,7 +680,9 @@ bool vtkExactTransparencyPass::SetShaderParameters(
     internal.GPU->Opaque.SetUniforms(program);
     program->SetUniformi(
       "pellucidNodeCapacity", static_cast<int>(internal.GPU->Lists.GetNodeCapacity()));
-    if (const vtkOptimizedScene::Member* member = internal.FindMember(mapper))
+    const vtkOptimizedScene::Member* member =
+      internal.Optimize ? internal.Scene.Find(internal.Prop) : nullptr;
+    if (member && program->IsUniformUsed("pellucidFirstSegment"))
     {
       const vtkOptimizedScene::Part& part = member->FindPart(mapper);
       program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));

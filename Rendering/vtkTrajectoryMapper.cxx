@@ -12,6 +12,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpacityOptimization.h"
 #include "vtkPointData.h"
 #include "vtkPolygonPartMapper.h"
 #include "vtkProperty.h"
@@ -22,6 +23,7 @@
 #include "vtkTrajectoryColors.h"
 #include "vtkTrajectoryNodes.h"
 #include "vtkTrajectoryOpacities.h"
+#include "vtkTrajectorySegmentNodes.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
@@ -132,6 +134,7 @@ private:
   vtkMTimeType GetAppearanceTime(vtkActor* actor) const;
   void UpdateAppearance(vtkActor* actor);
   void UpdateOpacities();
+  void UpdateSegments(vtkActor* actor);
   void RenderPart(
     vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor);
   void SelectCones(vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels) const;
@@ -144,6 +147,8 @@ private:
   vtkProperty* AppearanceProperty = nullptr; // compared, never used
   bool UsesPropertyColor = false;
   std::vector<vtkMTimeType> OpacityTimes;
+  std::string ImportanceArray;
+  std::vector<vtkMTimeType> SegmentTimes;
   vtkWeakPointer<vtkWindow> Window;
 };
 
@@ -197,6 +202,7 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
   this->Key = std::move(key);
   this->AppearanceTime = 0;
   this->OpacityTimes.clear();
+  this->SegmentTimes.clear();
   this->Cones->SetNodes(&this->Nodes);
   if (this->Nodes.GetNumberOfBadRadiusArrays() > 0)
   {
@@ -308,6 +314,33 @@ void vtkTrajectoryMapper::Parts::UpdateOpacities()
 }
 
 //------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::UpdateSegments(vtkActor* actor)
+{
+  vtkOpacityOptimization* optimization = vtkOpacityOptimization::Get(actor);
+  const char* name = optimization ? optimization->GetImportanceArray() : nullptr;
+  const std::string array = name ? name : "";
+  const auto& leaves = this->Nodes.GetLeaves();
+  std::vector<vtkMTimeType> times;
+  if (optimization)
+  {
+    times = vtkTrajectorySegmentNodes::GetTimes(leaves, array);
+  }
+  if (times == this->SegmentTimes && array == this->ImportanceArray)
+  {
+    return;
+  }
+  this->SegmentTimes = std::move(times);
+  this->ImportanceArray = array;
+  this->Cones->SetSegments(optimization ? vtkTrajectorySegmentNodes::Make(this->Nodes, array)
+                                        : std::vector<vtkTrajectorySegmentNodes::Node>());
+  for (const auto& part : this->Polygons)
+  {
+    part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
+      optimization ? name : nullptr, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTrajectoryMapper::Parts::RenderPart(
   vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -326,6 +359,7 @@ void vtkTrajectoryMapper::Parts::Render(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateNodes();
   this->UpdateAppearance(actor);
   this->UpdateOpacities();
+  this->UpdateSegments(actor);
 
   vtkHardwareSelector* selector = renderer->GetSelector();
   if (selector)

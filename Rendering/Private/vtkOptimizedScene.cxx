@@ -136,6 +136,12 @@ void vtkOptimizedScene::AddActor(const Source& source)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOptimizedScene::HasLineSegments(vtkPolyData* data)
+{
+  return GetLineSegments(data) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t vtkOptimizedScene::CountSegments(vtkPolyData* data)
 {
   if (vtkDataArray* first = GetLineSegments(data))

@@ -100,6 +100,9 @@ public:
   /** Importance arrays that the data of an actor lacks, each once after an update. */
   std::vector<std::string> TakeMissingArrays() { return std::move(this->MissingArrays); }
 
+  /** Whether the arrays of vtkTrajectorySegments are there. */
+  static bool HasLineSegments(vtkPolyData* data);
+
   /** Segments of a part: as its arrays say, or 1. */
   static std::uint32_t CountSegments(vtkPolyData* data);
 

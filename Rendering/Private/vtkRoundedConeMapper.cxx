@@ -25,6 +25,7 @@
 #include "vtkRoundedConeExitDecFS.h"
 #include "vtkRoundedConeExitImplFS.h"
 #include "vtkRoundedConeImplFS.h"
+#include "vtkRoundedConeImportanceImplFS.h"
 #include "vtkRoundedConeVS.h"
 #include "vtkTrajectoryNodesDec.h"
 
@@ -66,8 +67,9 @@ std::string PassNodeValue(vtkShaderEdit& vertex, vtkShaderEdit& fragment, const 
   };
   const auto fetch = [&](const std::string& ball)
   { return "texelFetch(" + value.Sampler + ", " + ball + ")." + value.Components + ";\n"; };
-  vertex.Prepend(
-    "//VTK::NodeValue::Dec", "uniform samplerBuffer " + value.Sampler + ";\n" + declare("out"));
+  vertex.Prepend("//VTK::NodeValue::Dec",
+    std::string("uniform ") + (value.Type[0] == 'i' ? "isamplerBuffer " : "samplerBuffer ") +
+      value.Sampler + ";\n" + declare("out"));
   vertex.Prepend("//VTK::NodeValue::Impl",
     start + " = " + fetch("firstBall") + "  " + end + " = " + fetch("lastBall") + "  ");
   fragment.Prepend("//VTK::NodeValue::Dec", declare("in"));
@@ -120,7 +122,13 @@ bool vtkRoundedConeMapper::BufferTexture::Upload(
 {
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType(); // or it keeps those of the last upload
-  const int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  if (std::is_same<Value, int>::value)
+  {
+    // VTK would make floats of them.
+    type = VTK_INT;
+    this->Texture->SetInternalFormat(GL_RGBA32I);
+  }
   this->Current =
     this->Buffer->Upload(values, count * components, vtkOpenGLBufferObject::TextureBuffer) &&
     this->Texture->CreateTextureBuffer(
@@ -202,6 +210,17 @@ void vtkRoundedConeMapper::SetOpacities(std::vector<float> factors)
 }
 
 //------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetSegments(std::vector<vtkTrajectorySegmentNodes::Node> segments)
+{
+  if (segments.empty() != this->Segments.empty())
+  {
+    this->ShaderVariantTime.Modified();
+  }
+  this->Segments = std::move(segments);
+  this->SegmentTexture.Current = false;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkRoundedConeMapper::BufferTexture*> vtkRoundedConeMapper::GetTextures()
 {
   std::vector<BufferTexture*> textures = { &this->NodeTexture };
@@ -217,6 +236,10 @@ std::vector<vtkRoundedConeMapper::BufferTexture*> vtkRoundedConeMapper::GetTextu
   {
     textures.push_back(&this->OpacityTexture);
   }
+  if (!this->Segments.empty())
+  {
+    textures.push_back(&this->SegmentTexture);
+  }
   return textures;
 }
 
@@ -229,8 +252,8 @@ void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     renderWindow->PushContext();
   }
-  for (BufferTexture* texture :
-    { &this->NodeTexture, &this->RemainderTexture, &this->ColorTexture, &this->OpacityTexture })
+  for (BufferTexture* texture : { &this->NodeTexture, &this->RemainderTexture, &this->ColorTexture,
+         &this->OpacityTexture, &this->SegmentTexture })
   {
     texture->Release(window);
   }
@@ -269,6 +292,10 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
   if (!this->Opacities.empty() && !this->OpacityTexture.Current)
   {
     this->OpacityTexture.Upload(window, this->Opacities.data(), this->Opacities.size(), 1);
+  }
+  if (!this->Segments.empty() && !this->SegmentTexture.Current)
+  {
+    this->SegmentTexture.Upload(window, this->Segments.front().data(), this->Segments.size(), 4);
   }
 
   vtkOpenGLIndexBufferObject* indices = this->Primitives[PrimitiveTris].IBO;
@@ -458,6 +485,12 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     if (this->Source != ColorSource::Property)
     {
       this->ReplaceShaderNodeColor(vertex, fragment);
+    }
+    if (!this->Segments.empty())
+    {
+      PassNodeValue(vertex, fragment, { "Segment", "ivec4", this->SegmentTexture.Sampler, "xyzw" });
+      fragment.Prepend("//VTK::NodeValue::Dec", "uniform int pellucidFirstSegment;\n");
+      fragment.Prepend("//VTK::DepthPeeling::Impl", vtkRoundedConeImportanceImplFS);
     }
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);

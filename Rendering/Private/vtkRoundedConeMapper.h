@@ -24,6 +24,7 @@
 #include "vtkOpenGLTexture.h" // for the colour map
 #include "vtkTextureObject.h" // for buffer textures
 #include "vtkTrajectoryNodes.h"
+#include "vtkTrajectorySegmentNodes.h"
 
 #include <array>
 #include <vector>
@@ -59,6 +60,9 @@ public:
 
   /** Multiply the opacity by the factor of each node in [0,1] from now on; empty: no factors. */
   void SetOpacities(std::vector<float> factors);
+
+  /** Importance and segment of each node from now on; empty where opacities are not optimised. */
+  void SetSegments(std::vector<vtkTrajectorySegmentNodes::Node> segments);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -138,6 +142,8 @@ private:
 
   std::vector<float> Opacities;
   BufferTexture OpacityTexture{ "nodeOpacities" };
+  std::vector<vtkTrajectorySegmentNodes::Node> Segments;
+  BufferTexture SegmentTexture{ "nodeSegments" };
 
   // transposed, as VTK's key matrices are
   vtkNew<vtkMatrix4x4> WorldToView;
