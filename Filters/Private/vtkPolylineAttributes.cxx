@@ -40,11 +40,8 @@ double ComputeCurvature(double angle, double lengthBefore, double lengthAfter)
 //------------------------------------------------------------------------------
 double ComputeVelocity(double length, double timeStep)
 {
-  if (timeStep == 0.0)
-  {
-    return length > 0.0 ? LargestFloat : length;
-  }
-  return length / std::abs(timeStep);
+  const double withoutTime = length > 0.0 ? LargestFloat : length;
+  return timeStep == 0.0 ? withoutTime : length / std::abs(timeStep);
 }
 }
 
@@ -81,17 +78,23 @@ struct vtkPolylineAttributes::Block
     }
   }
 
-  // Store value(segment) at the point where each segment begins, and at a line's last point that of
-  // its last segment.
-  template <typename Function>
-  void StoreSegments(float* output, Function&& value) const
+  // Store the value of each segment at the point where it begins, and at a line's last point that
+  // of its last segment.
+  void StoreSegments(const double* values, float* output) const
   {
-    for (vtkIdType i = 1; i < this->Size; ++i)
+    this->StorePoints(values, output);
+    if (!this->HasAfter && !this->IsAlone)
     {
-      output[this->Ids[i]] = ToFloat(value(i));
+      output[this->Ids[this->Size]] = ToFloat(values[this->Size - 1]);
     }
-    const bool repeats = !this->HasAfter && !this->IsAlone;
-    output[this->Ids[this->Size]] = ToFloat(value(this->Size - (repeats ? 1 : 0)));
+  }
+
+  void StorePoints(const double* values, float* output) const
+  {
+    for (vtkIdType i = 1; i <= this->Size; ++i)
+    {
+      output[this->Ids[i]] = ToFloat(values[i]);
+    }
   }
 
   vtkIdType Size;
@@ -169,28 +172,40 @@ void vtkPolylineAttributes::ComputeSegments(const Block& block) const
 {
   using Attributes = vtkTrajectoryAttributes;
   Block::Values values;
+  Block::Values results;
+  const auto compute = [&](float* output, auto&& value)
+  {
+    for (vtkIdType i = 0; i <= block.Size; ++i)
+    {
+      results[i] = value(i);
+    }
+    block.StoreSegments(results, output);
+  };
   if (float* output = this->Outputs[Attributes::SEGMENT_LENGTH])
   {
-    block.StoreSegments(output, [&](vtkIdType i) { return block.Lengths[i]; });
+    block.StoreSegments(block.Lengths, output);
   }
   if (float* output = this->Outputs[Attributes::SEGMENT_PRESSURE_DIFFERENCE])
   {
     block.Gather(*this->Pressure, 0, values);
-    block.StoreSegments(output, [&](vtkIdType i) { return values[i] - values[i + 1]; });
+    compute(output, [&](vtkIdType i) { return values[i] - values[i + 1]; });
   }
   if (float* output = this->Outputs[Attributes::SEGMENT_HEIGHT_DIFFERENCE])
   {
     if (this->Height)
     {
       block.Gather(*this->Height, 0, values);
+      compute(output, [&](vtkIdType i) { return values[i + 1] - values[i]; });
     }
-    const double* heights = this->Height ? values : block.Coordinates[this->UpAxis];
-    block.StoreSegments(output, [=](vtkIdType i) { return heights[i + 1] - heights[i]; });
+    else
+    {
+      block.StoreSegments(block.Steps[this->UpAxis], output);
+    }
   }
   if (float* output = this->Outputs[Attributes::VELOCITY])
   {
     block.Gather(*this->Time, 0, values);
-    block.StoreSegments(output,
+    compute(output,
       [&](vtkIdType i) { return ComputeVelocity(block.Lengths[i], values[i + 1] - values[i]); });
   }
   if (float* output = this->Outputs[Attributes::ANGLE_OF_ASCENT])
@@ -198,7 +213,7 @@ void vtkPolylineAttributes::ComputeSegments(const Block& block) const
     const double* rise = block.Steps[this->UpAxis];
     const double* a = block.Steps[(this->UpAxis + 1) % 3];
     const double* b = block.Steps[(this->UpAxis + 2) % 3];
-    block.StoreSegments(output,
+    compute(output,
       [=](vtkIdType i)
       {
         return vtkMath::DegreesFromRadians(
@@ -210,34 +225,39 @@ void vtkPolylineAttributes::ComputeSegments(const Block& block) const
 //------------------------------------------------------------------------------
 void vtkPolylineAttributes::ComputeTurning(const Block& block) const
 {
-  float* angles = this->Outputs[vtkTrajectoryAttributes::TURNING_ANGLE];
-  float* curvatures = this->Outputs[vtkTrajectoryAttributes::CURVATURE];
-  if (!angles && !curvatures)
+  float* angleOutput = this->Outputs[vtkTrajectoryAttributes::TURNING_ANGLE];
+  float* curvatureOutput = this->Outputs[vtkTrajectoryAttributes::CURVATURE];
+  if (!angleOutput && !curvatureOutput)
   {
     return;
   }
   const auto& x = block.Steps[0];
   const auto& y = block.Steps[1];
   const auto& z = block.Steps[2];
+  Block::Values angles;
   for (vtkIdType i = 1; i <= block.Size; ++i)
   {
-    double angle = vtkVectorAngle(x[i - 1], y[i - 1], z[i - 1], x[i], y[i], z[i]);
-    if (std::isnan(angle))
+    const double angle = vtkVectorAngle(x[i - 1], y[i - 1], z[i - 1], x[i], y[i], z[i]);
+    // Where a line ends the angle is 0, unless the point itself is missing.
+    const double sum = block.Coordinates[0][i] + block.Coordinates[1][i] + block.Coordinates[2][i];
+    angles[i] = std::isnan(angle) ? sum - sum : angle;
+  }
+  Block::Values results;
+  if (angleOutput)
+  {
+    for (vtkIdType i = 1; i <= block.Size; ++i)
     {
-      // A line ends here, and the angle is 0, unless this point itself is missing.
-      const double sum =
-        block.Coordinates[0][i] + block.Coordinates[1][i] + block.Coordinates[2][i];
-      angle = sum - sum;
+      results[i] = vtkMath::DegreesFromRadians(angles[i]);
     }
-    const vtkIdType id = block.Ids[i];
-    if (angles)
+    block.StorePoints(results, angleOutput);
+  }
+  if (curvatureOutput)
+  {
+    for (vtkIdType i = 1; i <= block.Size; ++i)
     {
-      angles[id] = ToFloat(vtkMath::DegreesFromRadians(angle));
+      results[i] = ComputeCurvature(angles[i], block.Lengths[i - 1], block.Lengths[i]);
     }
-    if (curvatures)
-    {
-      curvatures[id] = ToFloat(ComputeCurvature(angle, block.Lengths[i - 1], block.Lengths[i]));
-    }
+    block.StorePoints(results, curvatureOutput);
   }
 }
 

@@ -41,9 +41,9 @@ inline double vtkFastAtan2(double y, double x)
   series = series * square + 0.19998266041947926;
   series = series * square - 0.3333328364171018;
   series = series * square + 0.9999999976306287;
-  double angle = series * ratio;
-  angle = absY > absX ? vtkMath::Pi() / 2.0 - angle : angle;
-  angle = x < 0.0 ? vtkMath::Pi() - angle : angle;
+  const double first = series * ratio;
+  const double second = absY > absX ? vtkMath::Pi() / 2.0 - first : first;
+  const double angle = x < 0.0 ? vtkMath::Pi() - second : second;
   return std::copysign(angle, y) + (x - x) + (y - y);
 }
 

@@ -52,17 +52,25 @@ def arrays_involved(data, output):
               data.GetLines().GetOffsetsArray(), output.GetCellData().GetArray(0)]
     arrays += [output.GetPointData().GetArray(i)
                for i in range(output.GetPointData().GetNumberOfArrays())]
-    return [vtk_to_numpy(array).reshape(-1) for array in arrays]
+    return arrays
+
+
+def new_like(array):
+    copied = array.NewInstance()
+    copied.SetNumberOfComponents(array.GetNumberOfComponents())
+    copied.SetNumberOfTuples(array.GetNumberOfTuples())
+    return copied
 
 
 def copy(arrays, threads):
-    """Copy the arrays into new memory, each shared out to the threads."""
+    """Copy the arrays into new ones, each shared out to the threads."""
     def copy_share(source, target, share):
-        begin, end = (len(source) * (share + i) // threads for i in (0, 1))
-        target[begin:end] = source[begin:end]
+        tuples = source.GetNumberOfTuples()
+        begin, end = (tuples * (share + i) // threads for i in (0, 1))
+        vtk_to_numpy(target)[begin:end] = vtk_to_numpy(source)[begin:end]
 
+    copies = [new_like(array) for array in arrays]
     with concurrent.futures.ThreadPoolExecutor(threads) as executor:
-        copies = [numpy.empty_like(array) for array in arrays]
         jobs = [executor.submit(copy_share, source, target, share)
                 for source, target in zip(arrays, copies) for share in range(threads)]
         for job in jobs:
@@ -96,7 +104,7 @@ def measure(data, threads, repeats):
         attributes.GetOutput().Initialize()
         filter_seconds.append(seconds(compute))
     return {"points": data.GetNumberOfPoints(), "lines": data.GetNumberOfLines(),
-            "threads": threads, "bytes": sum(array.nbytes for array in arrays),
+            "threads": threads, "bytes": sum(vtk_to_numpy(array).nbytes for array in arrays),
             "attributes_s": statistics.median(filter_seconds),
             "copy_s": statistics.median(copy_seconds),
             "ratio": statistics.median(filter_seconds) / statistics.median(copy_seconds)}
