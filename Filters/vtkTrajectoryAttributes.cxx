@@ -3,8 +3,8 @@
 
 #include "vtkTrajectoryAttributes.h"
 
+#include "Private/vtkBatches.h"
 #include "Private/vtkFieldVectors.h"
-#include "Private/vtkParallelBatches.h"
 #include "Private/vtkPolylineAttributes.h"
 #include "Private/vtkPolylineRanges.h"
 #include "Private/vtkPolylines.h"
@@ -82,20 +82,28 @@ std::string DescribeArrays(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+bool IsUsable(vtkPolyData* input, vtkDataArray* array)
+{
+  return array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() >= input->GetNumberOfPoints();
+}
+
+//------------------------------------------------------------------------------
 // The array of that name; throws if there is none and the input has any points.
 vtkDataArray* FindNamed(vtkPolyData* input, const std::string& name, const char* role)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-  if ((!array || array->GetNumberOfComponents() != 1) && input->GetNumberOfPoints() > 0)
+  if (!IsUsable(input, array) && input->GetNumberOfPoints() > 0)
   {
-    throw std::invalid_argument("There is no point array of one component named '" + name +
-      "' to take the " + role + " from." + DescribeArrays(input));
+    throw std::invalid_argument("No point array named '" + name +
+      "' has one component and a value for each point, as the " + role + " needs." +
+      DescribeArrays(input));
   }
   return array;
 }
 
 //------------------------------------------------------------------------------
-// The first array of one component with one of these names, which are in small letters, or null.
+// The first usable array with one of these names, which are in small letters, or null.
 vtkDataArray* FindWellKnown(vtkPolyData* input, const std::vector<std::string>& names)
 {
   vtkPointData* pointData = input->GetPointData();
@@ -104,7 +112,7 @@ vtkDataArray* FindWellKnown(vtkPolyData* input, const std::vector<std::string>& 
     for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = pointData->GetArray(i);
-      if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+      if (IsUsable(input, array) && array->GetName() &&
         vtksys::SystemTools::LowerCase(array->GetName()) == name)
       {
         return array;
@@ -372,9 +380,9 @@ bool vtkTrajectoryAttributes::ComputeOfPoints(const Arrays& arrays, vtkPolyData*
       }
     }
   };
-  const vtkIdType smallestBatch = 256;
+  const vtkIdType minimumBatch = 256;
   const bool finished =
-    vtkForInBatches(this, { 0.0, PointsProgress }, blocks, smallestBatch, compute);
+    vtkBatches(this, 0.0, PointsProgress).ParallelFor(blocks, compute, minimumBatch);
   if (finished)
   {
     vtkSMPTools::For(0, blocks, repair);
@@ -404,9 +412,11 @@ bool vtkTrajectoryAttributes::ComputeTotalPressureDifference(
     lines, arrays.Pressure, this->TimeWindow > 0.0 ? arrays.Time : nullptr, this->TimeWindow);
   // The cells of a poly data are numbered from the vertices on, then the lines.
   float* ofLines = result->GetPointer(0) + output->GetNumberOfVerts();
-  const vtkIdType smallestBatch = 1024;
-  return vtkForInBatches(this, { PointsProgress, 1.0 }, lines.GetNumberOfLines(), smallestBatch,
-    [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); });
+  const vtkIdType minimumBatch = 1024;
+  return vtkBatches(this, PointsProgress, 1.0)
+    .ParallelFor(
+      lines.GetNumberOfLines(),
+      [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); }, minimumBatch);
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 #include "vtkTrajectorySegments.h"
 
 #include "Private/vtkArrayValues.h"
-#include "Private/vtkParallelBatches.h"
+#include "Private/vtkBatches.h"
 #include "Private/vtkPolylines.h"
 #include "Private/vtkUnsharedPoints.h"
 
@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkTrajectorySegments);
 namespace
 {
 // Lines that are worth a batch of their own.
-constexpr vtkIdType SmallestBatch = 1024;
+constexpr vtkIdType MinimumBatch = 1024;
 
 //------------------------------------------------------------------------------
 // Call visit(point id, length of the line up to that point) along a line, and return its length:
@@ -156,7 +156,7 @@ bool vtkTrajectorySegments::Divide(vtkPolyData* output)
       lengths[line] = std::isnan(length) ? 0.0 : length;
     }
   };
-  if (!vtkForInBatches(this, { 0.0, 0.4 }, lineCount, SmallestBatch, measure))
+  if (!vtkBatches(this, 0.0, 0.4).ParallelFor(lineCount, measure, MinimumBatch))
   {
     return false;
   }
@@ -214,7 +214,7 @@ bool vtkTrajectorySegments::Divide(vtkPolyData* output)
         });
     }
   };
-  if (!vtkForInBatches(this, { 0.4, 1.0 }, lineCount, SmallestBatch, place))
+  if (!vtkBatches(this, 0.4, 1.0).ParallelFor(lineCount, place, MinimumBatch))
   {
     return false;
   }
