@@ -265,16 +265,14 @@ int vtkTrajectoryAttributes::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->UpdateProgress(0.0);
   try
   {
     output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES));
     const Arrays arrays = this->FindArrays(output);
-    // An abort empties the output.
-    if (this->ComputeOfPoints(arrays, output) &&
-      this->ComputeTotalPressureDifference(arrays, output))
+    // After an abort the executive empties the output.
+    if (this->ComputeOfPoints(arrays, output))
     {
-      this->UpdateProgress(1.0);
+      this->ComputeTotalPressureDifference(arrays, output);
     }
     return 1;
   }
@@ -340,10 +338,9 @@ bool vtkTrajectoryAttributes::ComputeOfPoints(const Arrays& arrays, vtkPolyData*
   const vtkIdType pointCount = output->GetNumberOfPoints();
   const vtkPolylines lines(output->GetLines());
   const vtkIdType positions = lines.GetNumberOfPositions();
-  vtkNew<vtkPoints> noPoints;
-  vtkPoints* points = output->GetPoints() ? output->GetPoints() : noPoints.Get();
+  vtkDataArray* coordinates = output->GetPoints() ? output->GetPoints()->GetData() : nullptr;
   vtkPolylineAttributes attributes(
-    lines, points->GetData(), this->UpAxis, arrays.Pressure, arrays.Height, arrays.Time);
+    lines, coordinates, this->UpAxis, arrays.Pressure, arrays.Height, arrays.Time);
   std::vector<vtkSmartPointer<vtkFloatArray>> results;
   for (int attribute = 0; attribute < NUMBER_OF_ATTRIBUTES; ++attribute)
   {
@@ -395,12 +392,12 @@ bool vtkTrajectoryAttributes::ComputeOfPoints(const Arrays& arrays, vtkPolyData*
 }
 
 //------------------------------------------------------------------------------
-bool vtkTrajectoryAttributes::ComputeTotalPressureDifference(
+void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   const Arrays& arrays, vtkPolyData* output)
 {
   if (!arrays.IsComputed[TOTAL_PRESSURE_DIFFERENCE])
   {
-    return true;
+    return;
   }
   const auto result = MakeArray(TOTAL_PRESSURE_DIFFERENCE, output->GetNumberOfCells(),
     arrays.GetUnitOf(TOTAL_PRESSURE_DIFFERENCE));
@@ -413,7 +410,7 @@ bool vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   // The cells of a poly data are numbered from the vertices on, then the lines.
   float* ofLines = result->GetPointer(0) + output->GetNumberOfVerts();
   const vtkIdType minimumBatch = 1024;
-  return vtkBatches(this, PointsProgress, 1.0)
+  vtkBatches(this, PointsProgress, 1.0)
     .ParallelFor(
       lines.GetNumberOfLines(),
       [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); }, minimumBatch);

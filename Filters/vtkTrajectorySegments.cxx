@@ -34,6 +34,9 @@ namespace
 // Lines that are worth a batch of their own.
 constexpr vtkIdType MinimumBatch = 1024;
 
+// Part of the progress that the lengths are.
+constexpr double MeasureProgress = 0.4;
+
 //------------------------------------------------------------------------------
 // Call visit(point id, length of the line up to that point) along a line, and return its length:
 // NaN if a coordinate is missing. Lengths never decrease; adding up block by block keeps the error
@@ -80,6 +83,10 @@ struct SegmentPosition
 
   SegmentPosition(double length, double lengthOfLine, vtkIdType segments)
   {
+    if (segments == 1) // the lengths may be 0 or missing
+    {
+      return;
+    }
     const double last = static_cast<double>(segments - 1);
     const double position =
       std::clamp(length / lengthOfLine * static_cast<double>(segments) - 0.5, 0.0, last);
@@ -95,20 +102,49 @@ struct SegmentPosition
 
 //------------------------------------------------------------------------------
 template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType count)
+vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType count, typename Array::ValueType value)
 {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfValues(count);
+  vtkSMPTools::Fill(array->GetPointer(0), array->GetPointer(0) + count, value);
   return array;
 }
 
 //------------------------------------------------------------------------------
-template <typename Array, typename Value>
-void Fill(Array* array, Value value)
+const vtkIdType* GetIds(vtkDataSetAttributes* data, const char* name)
 {
-  auto* values = array->GetPointer(0);
-  vtkSMPTools::Fill(values, values + array->GetNumberOfValues(), value);
+  return vtkIdTypeArray::SafeDownCast(data->GetArray(name))->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* GetCoordinates(vtkPolyData* data)
+{
+  return data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+double CountSegments(double length, double target)
+{
+  return target > 0.0 ? std::max(1.0, std::round(length / target)) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+// Throws if there were more segments than an int can number, which is what a shader has.
+void CheckTotal(const std::vector<double>& lengths, double target, vtkIdType verticesTotal)
+{
+  auto total = static_cast<double>(verticesTotal);
+  for (const double length : lengths)
+  {
+    total += CountSegments(length, target);
+  }
+  if (total > VTK_INT_MAX)
+  {
+    std::ostringstream message;
+    message << "Segments of length " << target << " would be " << total << ", but at most "
+            << VTK_INT_MAX << " are possible. Set a greater SegmentLength.";
+    throw std::invalid_argument(message.str());
+  }
 }
 }
 
@@ -119,14 +155,15 @@ int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->TotalNumberOfSegments = 0;
-  this->UpdateProgress(0.0);
   try
   {
     output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES_AND_VERTICES));
-    // An abort empties the output.
-    if (this->Divide(output))
+    std::vector<double> lengths(output->GetNumberOfLines());
+    // After an abort the executive empties the output.
+    if (this->MeasureLines(output, lengths))
     {
-      this->UpdateProgress(1.0);
+      this->NumberSegments(lengths, output);
+      this->PlacePoints(lengths, output);
     }
     return 1;
   }
@@ -139,15 +176,10 @@ int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-bool vtkTrajectorySegments::Divide(vtkPolyData* output)
+bool vtkTrajectorySegments::MeasureLines(vtkPolyData* output, std::vector<double>& lengths)
 {
   const vtkPolylines lines(output->GetLines());
-  vtkNew<vtkPoints> noPoints;
-  vtkPoints* points = output->GetPoints() ? output->GetPoints() : noPoints.Get();
-  const vtkArrayValues coordinates(points->GetData());
-  const vtkIdType lineCount = lines.GetNumberOfLines();
-
-  std::vector<double> lengths(lineCount);
+  const vtkArrayValues coordinates(GetCoordinates(output));
   const auto measure = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType line = first; line < last; ++line)
@@ -156,107 +188,84 @@ bool vtkTrajectorySegments::Divide(vtkPolyData* output)
       lengths[line] = std::isnan(length) ? 0.0 : length;
     }
   };
-  if (!vtkBatches(this, 0.0, 0.4).ParallelFor(lineCount, measure, MinimumBatch))
-  {
-    return false;
-  }
-  const std::vector<vtkIdType> counts = this->CountSegments(lines, lengths);
-
-  const vtkIdType pointCount = output->GetNumberOfPoints();
-  const auto bases = MakeArray<vtkIdTypeArray>("SegmentBase", pointCount);
-  const auto weights = MakeArray<vtkFloatArray>("SegmentWeight", pointCount);
-  Fill(bases.Get(), vtkIdType(-1));
-  Fill(weights.Get(), 0.0F);
-  const auto firstSegments = MakeArray<vtkIdTypeArray>("FirstSegment", output->GetNumberOfCells());
-  const auto segmentCounts =
-    MakeArray<vtkIdTypeArray>("NumberOfSegments", output->GetNumberOfCells());
-  Fill(firstSegments.Get(), vtkIdType(-1));
-  Fill(segmentCounts.Get(), vtkIdType(0));
-
-  // The cells of a poly data are numbered from the vertices on, then the lines.
-  const vtkPolylines vertices(output->GetVerts());
-  const vtkIdType vertexCells = vertices.GetNumberOfLines();
-  for (vtkIdType cell = 0; cell < vertexCells; ++cell)
-  {
-    firstSegments->SetValue(cell, vertices.GetBegin(cell));
-    segmentCounts->SetValue(cell, vertices.GetEnd(cell) - vertices.GetBegin(cell));
-  }
-  for (vtkIdType position = 0; position < vertices.GetNumberOfPositions(); ++position)
-  {
-    bases->SetValue(vertices.GetId(position), position);
-  }
-  vtkIdType total = vertices.GetNumberOfPositions();
-  for (vtkIdType line = 0; line < lineCount; ++line)
-  {
-    firstSegments->SetValue(vertexCells + line, total);
-    segmentCounts->SetValue(vertexCells + line, counts[line]);
-    total += counts[line];
-  }
-
-  const auto place = [&](vtkIdType first, vtkIdType last)
-  {
-    for (vtkIdType line = first; line < last; ++line)
-    {
-      const vtkIdType firstSegment = firstSegments->GetValue(vertexCells + line);
-      WalkLine(lines, coordinates, line,
-        [&](vtkIdType id, double length)
-        {
-          if (counts[line] > 1)
-          {
-            const SegmentPosition position(length, lengths[line], counts[line]);
-            bases->SetValue(id, firstSegment + position.Base);
-            weights->SetValue(id, position.Weight);
-          }
-          else
-          {
-            bases->SetValue(id, firstSegment);
-          }
-        });
-    }
-  };
-  if (!vtkBatches(this, 0.4, 1.0).ParallelFor(lineCount, place, MinimumBatch))
-  {
-    return false;
-  }
-
-  this->TotalNumberOfSegments = total;
-  const auto totals = MakeArray<vtkIdTypeArray>("TotalNumberOfSegments", 1);
-  totals->SetValue(0, total);
-  output->GetPointData()->AddArray(bases);
-  output->GetPointData()->AddArray(weights);
-  output->GetCellData()->AddArray(firstSegments);
-  output->GetCellData()->AddArray(segmentCounts);
-  output->GetFieldData()->AddArray(totals);
-  return true;
+  return vtkBatches(this, 0.0, MeasureProgress)
+    .ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> vtkTrajectorySegments::CountSegments(
-  const vtkPolylines& lines, const std::vector<double>& lengths) const
+void vtkTrajectorySegments::NumberSegments(const std::vector<double>& lengths, vtkPolyData* output)
 {
+  const vtkIdType cellCount = output->GetNumberOfCells();
+  const auto firsts = MakeArray<vtkIdTypeArray>("FirstSegment", cellCount, -1);
+  const auto counts = MakeArray<vtkIdTypeArray>("NumberOfSegments", cellCount, 0);
+  // The cells of a poly data are numbered from the vertices on, then the lines.
+  vtkIdType cell = 0;
+  vtkIdType total = 0;
+  const auto number = [&](vtkIdType count)
+  {
+    firsts->SetValue(cell, total);
+    counts->SetValue(cell, count);
+    total += count;
+    ++cell;
+  };
+  const vtkPolylines vertices(output->GetVerts());
+  for (vtkIdType i = 0; i < vertices.GetNumberOfLines(); ++i)
+  {
+    number(vertices.GetEnd(i) - vertices.GetBegin(i));
+  }
   const double lengthOfAll = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   const double target = this->SegmentLength > 0.0
     ? this->SegmentLength
     : lengthOfAll / static_cast<double>(this->NumberOfSegments);
-  std::vector<vtkIdType> counts(lengths.size());
-  double total = 0.0;
-  for (std::size_t line = 0; line < lengths.size(); ++line)
+  CheckTotal(lengths, target, total);
+  const vtkPolylines lines(output->GetLines());
+  for (vtkIdType line = 0; line < lines.GetNumberOfLines(); ++line)
   {
     const bool hasPoints = lines.GetBegin(line) < lines.GetEnd(line);
-    const double wanted = target > 0.0 ? std::round(lengths[line] / target) : 0.0;
-    const double count = hasPoints ? std::max(1.0, wanted) : 0.0;
-    counts[line] = static_cast<vtkIdType>(std::min<double>(count, VTK_INT_MAX));
-    total += count;
+    number(hasPoints ? static_cast<vtkIdType>(CountSegments(lengths[line], target)) : 0);
   }
-  if (total > VTK_INT_MAX)
+
+  const auto totals = MakeArray<vtkIdTypeArray>("TotalNumberOfSegments", 1, total);
+  output->GetCellData()->AddArray(firsts);
+  output->GetCellData()->AddArray(counts);
+  output->GetFieldData()->AddArray(totals);
+  this->TotalNumberOfSegments = total;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectorySegments::PlacePoints(const std::vector<double>& lengths, vtkPolyData* output)
+{
+  const auto bases =
+    MakeArray<vtkIdTypeArray>("SegmentBase", output->GetNumberOfPoints(), vtkIdType(-1));
+  const auto weights = MakeArray<vtkFloatArray>("SegmentWeight", output->GetNumberOfPoints(), 0.0F);
+  output->GetPointData()->AddArray(bases);
+  output->GetPointData()->AddArray(weights);
+
+  const vtkPolylines vertices(output->GetVerts());
+  for (vtkIdType position = 0; position < vertices.GetNumberOfPositions(); ++position)
   {
-    std::ostringstream message;
-    message << "Lines of length " << lengthOfAll << " in segments of length " << target << " are "
-            << total << " segments, but at most " << VTK_INT_MAX
-            << " are possible. Set a greater SegmentLength.";
-    throw std::invalid_argument(message.str());
+    bases->SetValue(vertices.GetId(position), position);
   }
-  return counts;
+
+  const vtkPolylines lines(output->GetLines());
+  const vtkArrayValues coordinates(GetCoordinates(output));
+  const vtkIdType firstCell = vertices.GetNumberOfLines();
+  const vtkIdType* firsts = GetIds(output->GetCellData(), "FirstSegment") + firstCell;
+  const vtkIdType* counts = GetIds(output->GetCellData(), "NumberOfSegments") + firstCell;
+  const auto place = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType line = first; line < last; ++line)
+    {
+      WalkLine(lines, coordinates, line,
+        [&](vtkIdType id, double length)
+        {
+          const SegmentPosition position(length, lengths[line], counts[line]);
+          bases->SetValue(id, firsts[line] + position.Base);
+          weights->SetValue(id, position.Weight);
+        });
+    }
+  };
+  vtkBatches(this, MeasureProgress, 1.0).ParallelFor(lines.GetNumberOfLines(), place, MinimumBatch);
 }
 
 //------------------------------------------------------------------------------

@@ -44,10 +44,9 @@
 #include "vtkPellucidFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <vector> // for numbers of segments
+#include <vector> // for lengths
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkPolylines;
 
 class VTKPELLUCIDFILTERS_EXPORT vtkTrajectorySegments : public vtkPolyDataAlgorithm
 {
@@ -89,9 +88,9 @@ private:
   vtkTrajectorySegments(const vtkTrajectorySegments&) = delete;
   void operator=(const vtkTrajectorySegments&) = delete;
 
-  bool Divide(vtkPolyData* output);
-  std::vector<vtkIdType> CountSegments(
-    const vtkPolylines& lines, const std::vector<double>& lengths) const;
+  bool MeasureLines(vtkPolyData* output, std::vector<double>& lengths);
+  void NumberSegments(const std::vector<double>& lengths, vtkPolyData* output);
+  void PlacePoints(const std::vector<double>& lengths, vtkPolyData* output);
 
   vtkIdType NumberOfSegments = 20000;
   double SegmentLength = 0.0;

@@ -43,7 +43,10 @@ vtkArrayValues::vtkArrayValues(vtkDataArray* array)
   : Array(array)
   , Function(&GatherFrom<vtkDataArray>)
 {
-  vtkArrayDispatch::Dispatch::Execute(array, ChooseFunction(), this->Function);
+  if (array)
+  {
+    vtkArrayDispatch::Dispatch::Execute(array, ChooseFunction(), this->Function);
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -20,7 +20,7 @@ class vtkArrayValues
 public:
   static constexpr double Largest = 1e75;
 
-  /** The array has to live as long as this object. */
+  /** The array has to live as long as this object; null where nothing will be gathered. */
   explicit vtkArrayValues(vtkDataArray* array);
 
   /** values[i] = component of tuple ids[i]; from any number of threads. */

@@ -229,8 +229,8 @@ void TestLimits(Checks& checks)
   const std::string message = GetUpdateErrors(filter);
   checks.True("too many segments: " + message,
     Contains(message,
-      "in segments of length 0.001 are 1e+11 segments, but at most 2147483647 are "
-      "possible. Set a greater SegmentLength.") &&
+      "Segments of length 0.001 would be 1e+11, but at most 2147483647 are possible. Set a greater "
+      "SegmentLength.") &&
       filter->GetTotalNumberOfSegments() == 0);
   filter->SetSegmentLength(1e-300);
   checks.True("far too many segments", Contains(GetUpdateErrors(filter), "are possible"));
