@@ -23,7 +23,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -53,40 +52,75 @@ void ForEachCell(vtkCellArray* cells, vtkIdType begin, vtkIdType end, Function&&
 
 //------------------------------------------------------------------------------
 // Make the arrays of `to` those of `from`, with `count` tuples yet to be filled.
-ArrayPairs AllocateArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to, std::size_t count)
+ArrayPairs AllocateArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to, vtkIdType count)
 {
   to->Initialize();
   to->CopyAllOn(vtkDataSetAttributes::COPYTUPLE);
-  to->CopyAllocate(from, static_cast<vtkIdType>(count));
+  to->CopyAllocate(from, count);
   ArrayPairs pairs;
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
-    to->GetAbstractArray(i)->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    to->GetAbstractArray(i)->SetNumberOfTuples(count);
     pairs.emplace_back(from->GetAbstractArray(i), to->GetAbstractArray(i));
   }
   return pairs;
 }
 
 //------------------------------------------------------------------------------
-// Copy the tuples of these ids, one thread for each pair of arrays.
-bool CopyTuples(
-  const vtkBatches& batches, const ArrayPairs& pairs, const std::vector<vtkIdType>& ids)
+// Ascending ids that stay, as runs of successive ones: the points of a line mostly are.
+class Runs
 {
-  vtkNew<vtkIdList> batch;
-  return batches.For(static_cast<vtkIdType>(ids.size()),
-    [&](vtkIdType begin, vtkIdType end)
+public:
+  struct Run
+  {
+    vtkIdType Source;
+    vtkIdType Destination;
+    vtkIdType Length;
+  };
+
+  // Returns the new id.
+  vtkIdType Append(vtkIdType id)
+  {
+    // A run is short enough for progress to go on.
+    constexpr vtkIdType maximumLength = 1 << 16;
+    if (this->List.empty() || id != this->List.back().Source + this->List.back().Length ||
+      this->List.back().Length == maximumLength)
     {
-      batch->SetNumberOfIds(end - begin);
-      std::copy(ids.begin() + begin, ids.begin() + end, batch->begin());
-      vtkSMPTools::For(0, static_cast<vtkIdType>(pairs.size()), 1,
-        [&](vtkIdType first, vtkIdType last)
+      this->List.push_back({ id, this->Count, 0 });
+    }
+    ++this->List.back().Length;
+    return this->Count++;
+  }
+
+  vtkIdType GetCount() const { return this->Count; }
+  const std::vector<Run>& GetList() const { return this->List; }
+
+private:
+  std::vector<Run> List;
+  vtkIdType Count = 0;
+};
+
+//------------------------------------------------------------------------------
+// Copy the tuples of these ids, one thread for each pair of arrays.
+bool CopyTuples(const vtkBatches& batches, const ArrayPairs& pairs, const Runs& runs)
+{
+  const auto copy = [&](vtkIdType begin, vtkIdType end)
+  {
+    const auto copyArrays = [&, begin, end](vtkIdType firstPair, vtkIdType lastPair)
+    {
+      for (vtkIdType pair = firstPair; pair < lastPair; ++pair)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          for (vtkIdType i = first; i < last; ++i)
-          {
-            pairs[i].second->InsertTuplesStartingAt(begin, batch, pairs[i].first);
-          }
-        });
-    });
+          const Runs::Run& run = runs.GetList()[i];
+          pairs[pair].second->InsertTuples(
+            run.Destination, run.Length, run.Source, pairs[pair].first);
+        }
+      }
+    };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(pairs.size()), 1, copyArrays);
+  };
+  return batches.For(static_cast<vtkIdType>(runs.GetList().size()), copy, 1);
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +168,7 @@ private:
   vtkBatches Batches;
   std::vector<unsigned char> Kept;                   // 1 for the lines that stay
   std::vector<std::atomic<unsigned char>> Discarded; // 1 for the points that go
-  std::vector<vtkIdType> NewPointIds;
+  vtkNew<vtkIdTypeArray> NewPointIds;
 };
 
 //------------------------------------------------------------------------------
@@ -205,14 +239,13 @@ bool LineSelection::FindDiscardedPoints()
 //------------------------------------------------------------------------------
 bool LineSelection::CopyPoints(vtkPolyData* output)
 {
-  std::vector<vtkIdType> ids;
-  this->NewPointIds.resize(this->Discarded.size());
-  for (std::size_t point = 0; point < this->Discarded.size(); ++point)
+  Runs runs;
+  this->NewPointIds->SetNumberOfValues(this->Input->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < this->Input->GetNumberOfPoints(); ++point)
   {
-    this->NewPointIds[point] = static_cast<vtkIdType>(ids.size());
     if (this->Discarded[point].load(std::memory_order_relaxed) == 0)
     {
-      ids.push_back(static_cast<vtkIdType>(point));
+      this->NewPointIds->SetValue(point, runs.Append(point));
     }
   }
   if (!this->Input->GetPoints())
@@ -222,18 +255,18 @@ bool LineSelection::CopyPoints(vtkPolyData* output)
 
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Input->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(static_cast<vtkIdType>(ids.size()));
+  points->SetNumberOfPoints(runs.GetCount());
   output->SetPoints(points);
   ArrayPairs pairs =
-    AllocateArrays(this->Input->GetPointData(), output->GetPointData(), ids.size());
+    AllocateArrays(this->Input->GetPointData(), output->GetPointData(), runs.GetCount());
   pairs.emplace_back(this->Input->GetPoints()->GetData(), points->GetData());
-  return CopyTuples(this->Batches.GetPart(0.4, 0.7), pairs, ids);
+  return CopyTuples(this->Batches.GetPart(0.4, 0.7), pairs, runs);
 }
 
 //------------------------------------------------------------------------------
 bool LineSelection::CopyCells(vtkPolyData* output)
 {
-  std::vector<vtkIdType> allIds;
+  Runs runs;
   std::array<vtkSmartPointer<vtkCellArray>, 4> newCells;
   const CellArrays oldCells = this->GetCells();
   vtkIdType firstCell = 0;
@@ -245,7 +278,7 @@ bool LineSelection::CopyCells(vtkPolyData* output)
       if (this->IsKept(oldCells[part], cell))
       {
         ids.push_back(cell);
-        allIds.push_back(firstCell + cell);
+        runs.Append(firstCell + cell);
       }
     }
     firstCell += oldCells[part]->GetNumberOfCells();
@@ -259,8 +292,9 @@ bool LineSelection::CopyCells(vtkPolyData* output)
   output->SetLines(newCells[1]);
   output->SetPolys(newCells[2]);
   output->SetStrips(newCells[3]);
-  return CopyTuples(this->Batches.GetPart(0.9, 1.0),
-    AllocateArrays(this->Input->GetCellData(), output->GetCellData(), allIds.size()), allIds);
+  const ArrayPairs pairs =
+    AllocateArrays(this->Input->GetCellData(), output->GetCellData(), runs.GetCount());
+  return CopyTuples(this->Batches.GetPart(0.9, 1.0), pairs, runs);
 }
 
 //------------------------------------------------------------------------------
@@ -278,17 +312,17 @@ vtkSmartPointer<vtkCellArray> LineSelection::Renumber(
   }
   vtkNew<vtkIdTypeArray> connectivity;
   connectivity->SetNumberOfValues(offsets->GetValue(count));
+  const vtkIdType* newPointIds = this->NewPointIds->GetPointer(0);
   const auto renumber = [&](vtkIdType begin, vtkIdType end)
   {
+    vtkNew<vtkIdList> buffer;
+    vtkIdType pointCount = 0;
+    const vtkIdType* points = nullptr;
     for (vtkIdType i = begin; i < end; ++i)
     {
-      ForEachCell(cells, ids[i], ids[i] + 1,
-        [&](vtkIdType, vtkIdType pointCount, const vtkIdType* points)
-        {
-          std::transform(points, points + pointCount,
-            connectivity->GetPointer(offsets->GetValue(i)),
-            [this](vtkIdType point) { return this->NewPointIds[point]; });
-        });
+      cells->GetCellAtId(ids[i], pointCount, points, buffer);
+      std::transform(points, points + pointCount, connectivity->GetPointer(offsets->GetValue(i)),
+        [newPointIds](vtkIdType point) { return newPointIds[point]; });
     }
   };
   if (!this->Batches.GetPart(0.7, 0.9).ParallelFor(count, renumber))

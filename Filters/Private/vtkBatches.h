@@ -43,10 +43,9 @@ public:
    * when the filter is to abort.
    */
   template <typename Function>
-  bool For(vtkIdType count, Function&& work) const
+  bool For(vtkIdType count, Function&& work, vtkIdType minimumSize = 1 << 14) const
   {
-    // Below some ten thousand elements, starting threads costs more than the work.
-    const vtkIdType size = std::max<vtkIdType>(1 << 14, count / 100 + 1);
+    const vtkIdType size = std::max(minimumSize, count / 100 + 1);
     for (vtkIdType begin = 0; begin < count && !this->Filter->CheckAbort(); begin += size)
     {
       const vtkIdType end = std::min(begin + size, count);
