@@ -223,7 +223,8 @@ bool LineSelection::FindDiscardedPoints()
         ForEachCell(cells, begin, end,
           [=](vtkIdType cell, vtkIdType count, const vtkIdType* points)
           {
-            for (vtkIdType i = 0; i < count && this->IsKept(cells, cell) == isKept; ++i)
+            const vtkIdType markCount = this->IsKept(cells, cell) == isKept ? count : 0;
+            for (vtkIdType i = 0; i < markCount; ++i)
             {
               this->Discarded[points[i]].store(isKept ? 0 : 1, std::memory_order_relaxed);
             }
@@ -240,8 +241,9 @@ bool LineSelection::FindDiscardedPoints()
 bool LineSelection::CopyPoints(vtkPolyData* output)
 {
   Runs runs;
-  this->NewPointIds->SetNumberOfValues(this->Input->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < this->Input->GetNumberOfPoints(); ++point)
+  const vtkIdType pointCount = this->Input->GetNumberOfPoints();
+  this->NewPointIds->SetNumberOfValues(pointCount);
+  for (vtkIdType point = 0; point < pointCount; ++point)
   {
     if (this->Discarded[point].load(std::memory_order_relaxed) == 0)
     {
