@@ -42,7 +42,7 @@
  * up to 0; percentiles of an array without a finite value, which counts as missing everywhere.
  *
  * Cost: one parallel pass over the values, and the same bits with any number of threads. A
- * percentile costs a copy of its array in double precision, a cell array 24 bytes a point and one
+ * percentile costs a copy of its array in double precision, a cell array 32 bytes a point and one
  * serial pass over the cells. Progress is reported, and an abort, which leaves an empty output,
  * obeyed at about every hundredth of the points.
  *
