@@ -43,7 +43,7 @@ public:
    * when the filter is to abort.
    */
   template <typename Function>
-  bool For(vtkIdType count, Function&& work, vtkIdType minimumSize = 1 << 14) const
+  bool For(vtkIdType count, Function&& work, vtkIdType minimumSize = DefaultMinimumSize) const
   {
     const vtkIdType size = std::max(minimumSize, count / 100 + 1);
     for (vtkIdType begin = 0; begin < count && !this->Filter->CheckAbort(); begin += size)
@@ -58,13 +58,17 @@ public:
 
   /** The same; any thread calls `work` for any part of a batch. */
   template <typename Function>
-  bool ParallelFor(vtkIdType count, Function&& work) const
+  bool ParallelFor(
+    vtkIdType count, Function&& work, vtkIdType minimumSize = DefaultMinimumSize) const
   {
     return this->For(
-      count, [&work](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, work); });
+      count, [&work](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, work); },
+      minimumSize);
   }
 
 private:
+  static constexpr vtkIdType DefaultMinimumSize = 1 << 14;
+
   vtkAlgorithm* Filter;
   double Begin;
   double End;
