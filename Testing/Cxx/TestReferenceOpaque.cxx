@@ -6,8 +6,7 @@
  * rasterisation in single precision may decide otherwise about a pixel.
  */
 
-#include "ReferencePicture.h"
-#include "ReferenceTesting.h"
+#include "ReferenceComparison.h"
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
@@ -254,7 +253,9 @@ int TestReferenceOpaque(int, char*[])
       [](Scene& s)
       {
         s.Renderer->GradientBackgroundOn();
-        s.Renderer->SetBackground2(0.9, 0.8, 0.3);
+        // VTK interpolates between colours of 8 bits, which hold these exactly.
+        s.Renderer->SetBackground(0.2, 0.4, 0.6);
+        s.Renderer->SetBackground2(1.0, 0.8, 0.4);
         s.Actor->VisibilityOff();
       } },
     { "far from the origin",
@@ -265,7 +266,7 @@ int TestReferenceOpaque(int, char*[])
       } },
     { "near plane cuts", [](Scene&) {} },
   };
-  Checks checks;
+  bool passed = true;
   for (const auto& [name, prepare] : scenes)
   {
     Scene scene;
@@ -281,10 +282,7 @@ int TestReferenceOpaque(int, char*[])
     }
     // VTK blends into 8 bit, thus rounds twice.
     const double tolerance = scene.Property()->GetOpacity() < 1.0 ? 2.0 : 1.0;
-    const PictureDifference difference = CompareWithReference(scene.Window, scene.Renderer);
-    std::cout << name << ": " << difference << "\n";
-    checks.True(std::string(name) + ": differs away from edges", difference.smooth <= tolerance);
-    checks.True(std::string(name) + ": differs at edges", difference.visible <= 20);
+    passed &= ReferenceComparison(scene.Window, scene.Renderer, tolerance).Passes(name);
   }
-  return checks.Result();
+  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
