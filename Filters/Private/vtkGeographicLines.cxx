@@ -24,10 +24,11 @@ constexpr double GreatestLatitude = 90.001;
 constexpr double ReferencePressure = 1000.0; // hPa
 
 //------------------------------------------------------------------------------
-// The way from one longitude to another, the shorter one: at most half a circle, without rounding.
+// The way from one longitude to another, the shorter one: at most half a circle. Without rounding, and
+// without overflow.
 double Turn(double from, double to)
 {
-  return std::remainder(to - from, Circle);
+  return std::remainder(std::remainder(to, Circle) - std::remainder(from, Circle), Circle);
 }
 
 //------------------------------------------------------------------------------
@@ -41,9 +42,9 @@ double Blend(double a, double b, double fraction)
 //------------------------------------------------------------------------------
 double vtkGeographicLines::VerticalAxis::operator()(double value) const
 {
-  // The quotient of pressures could overflow.
+  // Logarithms one by one: quotients and products could overflow.
   const double height = this->LogPressure
-    ? std::log(ReferencePressure) - std::log(this->Unit * value)
+    ? std::log(ReferencePressure) - std::log(this->Unit) - std::log(value)
     : this->Unit * value;
   return this->Scale * height;
 }
