@@ -77,7 +77,7 @@ public:
    * What z is. Default is LOG_PRESSURE; a file without pressure is read as HEIGHT.
    *
    * Pressure is the variable of standard name air_pressure or else named pressure, p, P,
-   * air_pressure, pres, PRES or plev, in Pa or hPa (mbar) as its attribute `units` says, in hPa
+   * air_pressure or plev, in Pa or hPa (mbar) as its attribute `units` says, in hPa
    * where it says nothing.
    */
   vtkSetClampMacro(VerticalAxis, int, LOG_PRESSURE, HEIGHT);

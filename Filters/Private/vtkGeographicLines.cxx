@@ -24,8 +24,8 @@ constexpr double GreatestLatitude = 90.001;
 constexpr double ReferencePressure = 1000.0; // hPa
 
 //------------------------------------------------------------------------------
-// The way from one longitude to another, the shorter one: at most half a circle. Without rounding, and
-// without overflow.
+// The way from one longitude to another, the shorter one: at most half a circle. Without rounding,
+// and without overflow.
 double Turn(double from, double to)
 {
   return std::remainder(std::remainder(to, Circle) - std::remainder(from, Circle), Circle);

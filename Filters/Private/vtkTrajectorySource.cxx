@@ -10,8 +10,7 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 std::size_t vtkTrajectorySource::FindPressure() const
 {
-  return this->FindAny(
-    { "air_pressure" }, { "pressure", "p", "P", "air_pressure", "pres", "PRES", "plev" });
+  return this->FindAny({ "air_pressure" }, { "pressure", "p", "P", "air_pressure", "plev" });
 }
 
 //------------------------------------------------------------------------------

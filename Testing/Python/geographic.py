@@ -47,26 +47,29 @@ def netcdf(dimensions, variables, attributes=None, version=1, records=None):
         for (name, (kind, over, _, items)), begin in zip(variables.items(), begins):
             ids = [integer(list(dimensions).index(dimension)) for dimension in over]
             entries.append(name_of(name) + integer(len(ids)) + b"".join(ids) + list_of_attributes(items)
-                           + integer(TYPES[kind][0], ">i") + integer(len(blocks[name][0]))
+                           + integer(TYPES[kind][0], ">i") + integer(sizes[name])
                            + integer(begin, offset))
         lengths = [name_of(name) + integer(0 if name == records else length)
                    for name, length in dimensions.items()]
         return (b"CDF" + bytes([version]) + integer(dimensions.get(records, 0)) + list_of(10, lengths)
                 + list_of_attributes(attributes) + list_of(11, entries))
 
-    blocks = {}  # of each variable, its records or all of it
-    for name, (kind, over, values, _) in variables.items():
-        data = values_of(kind, values)
+    sizes = {}  # of each variable, of one record or of all of it
+    blocks = {}
+    for name, (kind, over, numbers, _) in variables.items():
+        data = values_of(kind, numbers)
+        step = struct.calcsize(TYPES[kind][1]) * math.prod(
+            dimensions[dimension] for dimension in over if dimension != records)
         count = dimensions[records] if records in over else 1
-        step = len(data) // count if count else 0
-        blocks[name] = [pad(data[i * step:(i + 1) * step]) for i in range(count)] or [b""]
+        blocks[name] = [pad(data[i * step:(i + 1) * step]) for i in range(count)]
+        sizes[name] = step + -step % 4
     fixed = [name for name in variables if records not in variables[name][1]]
     recorded = [name for name in variables if records in variables[name][1]]
 
     begins, position = {}, len(header(itertools.repeat(0)))
     for name in fixed + recorded:
         begins[name] = position
-        position += len(blocks[name][0])
+        position += sizes[name]
     data = [blocks[name][0] for name in fixed]
     data += [blocks[name][i] for i in range(dimensions.get(records, 0)) for name in recorded]
     return header([begins[name] for name in variables]) + b"".join(data)
