@@ -5,12 +5,9 @@
 
 import math
 import pathlib
-import unittest
 
 from vtkmodules.test import Testing
-from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from geographic import lagranto_netcdf, lagranto_text, met3d, netcdf
 from pellucid import (
@@ -20,94 +17,21 @@ from pellucid import (
     vtkMet3DReader,
     vtkTrajectoryReaderFactory,
 )
-
-GAP = -999.99
-NAN = math.nan
-PACIFIC = str(pathlib.Path(Testing.VTK_DATA_ROOT, "pacific.nc"))
-FILE = str(pathlib.Path(Testing.VTK_TEMP_DIR, "trajectories"))
-
-
-def read(reader, content=None, time=None, **properties):
-    """The output, and the messages without the file's name; content: bytes, else a real file."""
-    name = FILE if isinstance(content, bytes) else content or PACIFIC
-    if isinstance(content, bytes):
-        pathlib.Path(FILE).write_bytes(content)
-    reader = reader() if isinstance(reader, type) else reader
-    reader.SetFileName(name)
-    for key, value in properties.items():
-        getattr(reader, "Set" + key)(value)
-    messages = []
-
-    def note(_, event, text):
-        messages.append((event, text.split(f"{name}: ", 1)[1].strip()))
-
-    note.CallDataType = "string0"
-    tags = [reader.AddObserver(event, note) for event in ("ErrorEvent", "WarningEvent")]
-    pipeline = reader.GetExecutive()
-    tags_of_pipeline = pipeline.AddObserver("ErrorEvent", lambda *_: None)
-    if time is None:
-        reader.Update()
-    else:
-        reader.UpdateTimeStep(time)
-    for tag in tags:
-        reader.RemoveObserver(tag)
-    pipeline.RemoveObserver(tags_of_pipeline)
-    return reader.GetOutput(), messages
-
-
-def lines_of(output):
-    """The points of every line."""
-    lines = []
-    for cell in range(output.GetNumberOfCells()):
-        ids = output.GetCell(cell).GetPointIds()
-        lines.append([output.GetPoint(ids.GetId(i)) for i in range(ids.GetNumberOfIds())])
-    return lines
-
-
-def xs_of(output):
-    return [[x for x, _, _ in line] for line in lines_of(output)]
-
-
-def values(array):
-    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
-
-
-def points(output, name):
-    return values(output.GetPointData().GetArray(name))
-
-
-def cells(output, name):
-    return values(output.GetCellData().GetArray(name))
-
-
-def units(output, name):
-    return output.GetPointData().GetArray(name).GetInformation().Get(vtkDataArray.UNITS_LABEL())
-
-
-def log_height(pressure, scale=10):
-    return scale * math.log(1000 / pressure)
-
-
-def steps_of(reader):
-    info = reader.GetOutputInformation(0)
-    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
-    return [info.Get(key, i) for i in range(info.Length(key))]
-
-
-class TestCase(unittest.TestCase):
-    def assert_close(self, found, expected, delta=1e-4):
-        self.assertEqual(len(found), len(expected))
-        for a, b in zip(found, expected):
-            self.assertTrue(math.isnan(a) and math.isnan(b) or abs(a - b) <= delta, f"{found} {expected}")
-
-    def assert_error(self, reader, content, *words, **properties):
-        output, messages = read(reader, content, **properties)
-        self.assertEqual([event for event, _ in messages], ["ErrorEvent"], messages)
-        for word in words:
-            self.assertIn(word, messages[0][1])
-        self.assertEqual(output.GetNumberOfPoints(), 0)
-        self.assertEqual(output.GetNumberOfCells(), 0)
-        return messages[0][1]
+from readers import (
+    FILE,
+    GAP,
+    NAN,
+    PACIFIC,
+    TestCase,
+    cells,
+    lines_of,
+    log_height,
+    points,
+    read,
+    steps_of,
+    units,
+    xs_of,
+)
 
 
 class TestPacific(TestCase):
@@ -121,13 +45,14 @@ class TestPacific(TestCase):
         self.assertEqual(output.GetNumberOfPoints(), 3920)
         self.assertEqual(cells(output, "TrajectoryId"), list(range(88)))
         for name, unit, lowest, highest in [
-                ("lon", "degrees_east", -179.92635, 179.86221),
-                ("lat", "degrees_north", 17.736958, 60.89774),
-                ("pressure", "hPa", 378.38748, 999.9103),
-                ("temperature", "K", 227.70094, 296.98828),
-                ("relative_humidity", "%", 6.8731294, 100),
-                ("geopotential_height", "m", 22.380198, 7475.996),
-                ("time", "hours since 2011-01-15 12:00:00", 0, 48)]:
+            ("lon", "degrees_east", -179.92635, 179.86221),
+            ("lat", "degrees_north", 17.736958, 60.89774),
+            ("pressure", "hPa", 378.38748, 999.9103),
+            ("temperature", "K", 227.70094, 296.98828),
+            ("relative_humidity", "%", 6.8731294, 100),
+            ("geopotential_height", "m", 22.380198, 7475.996),
+            ("time", "hours since 2011-01-15 12:00:00", 0, 48),
+        ]:
             array = output.GetPointData().GetArray(name)
             self.assertEqual(array.GetDataTypeAsString(), "double" if name == "time" else "float")
             self.assertEqual(units(output, name), unit)
@@ -160,16 +85,27 @@ class TestPacific(TestCase):
 
 class TestLines(TestCase):
     def test_positions_and_arrays(self):
-        output, messages = read(vtkMet3DReader, met3d(
-            [[10, 11, 12], [20, 21, 22]], [[40, 41, 42], [50, 51, 52]],
-            [[1000, 800, 600], [900, 700, 500]],
-            {"T": ("f", None, [[280, GAP, 260], [250, 240, 230]],
-                   {"units": "K", "missing_value": ("d", [GAP]), "auxiliary_data": "yes"}),
-             "start_lon": ("f", ("trajectory",), [10, 20], {}),
-             "id": ("i", ("trajectory",), [7, 2147483647], {}),
-             "clock": ("h", ("time",), [1, 2, 3], {}),
-             "name": ("c", ("trajectory",), [b"a", b"b"], {}),
-             "scalar": ("f", (), [1], {})}))
+        output, messages = read(
+            vtkMet3DReader,
+            met3d(
+                [[10, 11, 12], [20, 21, 22]],
+                [[40, 41, 42], [50, 51, 52]],
+                [[1000, 800, 600], [900, 700, 500]],
+                {
+                    "T": (
+                        "f",
+                        None,
+                        [[280, GAP, 260], [250, 240, 230]],
+                        {"units": "K", "missing_value": ("d", [GAP]), "auxiliary_data": "yes"},
+                    ),
+                    "start_lon": ("f", ("trajectory",), [10, 20], {}),
+                    "id": ("i", ("trajectory",), [7, 2147483647], {}),
+                    "clock": ("h", ("time",), [1, 2, 3], {}),
+                    "name": ("c", ("trajectory",), [b"a", b"b"], {}),
+                    "scalar": ("f", (), [1], {}),
+                },
+            ),
+        )
         self.assertEqual(messages, [])
         self.assert_close(lines_of(output)[1][2], (22, 52, log_height(500)))
         self.assertEqual(output.GetPoints().GetData().GetDataTypeAsString(), "float")
@@ -183,33 +119,47 @@ class TestLines(TestCase):
         self.assertEqual(units(output, "T"), "K")
 
     def test_doubles_stay_doubles(self):
-        output, _ = read(vtkMet3DReader, met3d([[10.123456789, 11]], [[40, 41]], [[900, 800]], kind="d"))
+        output, _ = read(
+            vtkMet3DReader, met3d([[10.123456789, 11]], [[40, 41]], [[900, 800]], kind="d")
+        )
         self.assertEqual(output.GetPoint(0)[0], 10.123456789)
         self.assertEqual(points(output, "lon")[0], 10.123456789)
 
     def test_layouts(self):
         lon = [[[10, 11, 12], [20, 21, 22]], [[30, 31, 32], [40, 41, 42]]]
         pressure = [[[900, 800, 700]] * 2] * 2
-        for order in [("ensemble", "trajectory", "time"), ("trajectory", "ensemble", "time"),
-                      ("time", "ensemble", "trajectory"), ("time", "trajectory", "ensemble")]:
+        for order in [
+            ("ensemble", "trajectory", "time"),
+            ("trajectory", "ensemble", "time"),
+            ("time", "ensemble", "trajectory"),
+            ("time", "trajectory", "ensemble"),
+        ]:
             for version, records in ((1, None), (2, order[0]), (5, None), (5, order[0])):
                 reader = vtkMet3DReader()
                 output, messages = read(
-                    reader, met3d(lon, lon, pressure, order=order, version=version, records=records),
-                    EnsembleMember=1)
+                    reader,
+                    met3d(lon, lon, pressure, order=order, version=version, records=records),
+                    EnsembleMember=1,
+                )
                 self.assertEqual(messages, [])
                 self.assertEqual(reader.GetNumberOfEnsembleMembers(), 2)
                 self.assertEqual(xs_of(output), lon[1])
-        output, _ = read(vtkMet3DReader, met3d(lon[0], lon[0], pressure[0], order=("trajectory", "time")))
+        output, _ = read(
+            vtkMet3DReader, met3d(lon[0], lon[0], pressure[0], order=("trajectory", "time"))
+        )
         self.assertEqual(xs_of(output), lon[0])
 
     def test_standard_names(self):
         over = ("n", "t")
-        content = netcdf({"t": 2, "n": 1}, {
-            "hours": ("d", ("t",), [0, 1], {"standard_name": "time"}),
-            "x": ("f", over, [1, 2], {"standard_name": "longitude"}),
-            "y": ("f", over, [3, 4], {"standard_name": "latitude"}),
-            "Druck": ("f", over, [100, 200], {"standard_name": "air_pressure"})})
+        content = netcdf(
+            {"t": 2, "n": 1},
+            {
+                "hours": ("d", ("t",), [0, 1], {"standard_name": "time"}),
+                "x": ("f", over, [1, 2], {"standard_name": "longitude"}),
+                "y": ("f", over, [3, 4], {"standard_name": "latitude"}),
+                "Druck": ("f", over, [100, 200], {"standard_name": "air_pressure"}),
+            },
+        )
         output, messages = read(vtkMet3DReader, content)
         self.assertEqual(messages, [])
         self.assert_close(output.GetPoint(1), (2, 4, log_height(200)))
@@ -232,14 +182,31 @@ class TestLines(TestCase):
         def variable(kind, numbers, **items):
             return kind, None, [numbers], {key: (kind, value) for key, value in items.items()}
 
-        output, _ = read(vtkMet3DReader, met3d([[1, 2, 3]], [[1, 2, 3]], [[500] * 3], {
-            "fill": variable("f", [1, -1, -2], _FillValue=[-1], missing_value=[-2]),
-            "default": variable("f", [1, 9.969209968386869e36, 2]),
-            "short": variable("h", [1, -32767, 2]),
-            "byte": variable("b", [1, -127, 2]),
-            "integer": variable("i", [1, -2147483647, 16777217]),
-            "packed": ("h", None, [[1, -1, 100]], {
-                "scale_factor": ("d", [0.5]), "add_offset": ("d", [10]), "_FillValue": ("h", [-1])})}))
+        output, _ = read(
+            vtkMet3DReader,
+            met3d(
+                [[1, 2, 3]],
+                [[1, 2, 3]],
+                [[500] * 3],
+                {
+                    "fill": variable("f", [1, -1, -2], _FillValue=[-1], missing_value=[-2]),
+                    "default": variable("f", [1, 9.969209968386869e36, 2]),
+                    "short": variable("h", [1, -32767, 2]),
+                    "byte": variable("b", [1, -127, 2]),
+                    "integer": variable("i", [1, -2147483647, 16777217]),
+                    "packed": (
+                        "h",
+                        None,
+                        [[1, -1, 100]],
+                        {
+                            "scale_factor": ("d", [0.5]),
+                            "add_offset": ("d", [10]),
+                            "_FillValue": ("h", [-1]),
+                        },
+                    ),
+                },
+            ),
+        )
         self.assert_close(points(output, "fill"), [1, NAN, NAN])
         self.assert_close(points(output, "default"), [1, NAN, 2])
         self.assert_close(points(output, "short"), [1, NAN, 2])
@@ -249,9 +216,13 @@ class TestLines(TestCase):
 
     def test_vertical_axis(self):
         def make(unit, height_unit="m", pressure=((50000, 100000),)):
-            return met3d([[1, 2]], [[1, 2]], pressure,
-                         {"altitude": ("f", None, [[5500, 100]], {"units": height_unit})},
-                         pressure_attributes={"units": unit})
+            return met3d(
+                [[1, 2]],
+                [[1, 2]],
+                pressure,
+                {"altitude": ("f", None, [[5500, 100]], {"units": height_unit})},
+                pressure_attributes={"units": unit},
+            )
 
         def heights(content, **properties):
             output, messages = read(vtkMet3DReader, content, **properties)
@@ -263,18 +234,34 @@ class TestLines(TestCase):
         self.assert_close(heights(make("")), [log_height(50000), log_height(100000)])
         self.assert_close(heights(make("Pa"), VerticalAxis=Base.HEIGHT), [5.5, 0.1])
         self.assert_close(
-            heights(make("Pa", "km"), VerticalAxis=Base.HEIGHT, VerticalScale=0.5), [2750, 50], 1e-3)
+            heights(make("Pa", "km"), VerticalAxis=Base.HEIGHT, VerticalScale=0.5), [2750, 50], 1e-3
+        )
         self.assert_close(heights(make("", pressure=None)), [5.5, 0.1])
         self.assert_close(
-            heights(make("m"), VerticalAxis=Base.HEIGHT, HeightArray="pressure"), [50, 100])
+            heights(make("m"), VerticalAxis=Base.HEIGHT, HeightArray="pressure"), [50, 100]
+        )
         self.assert_error(vtkMet3DReader, make("kPa"), "'kPa' of 'pressure'", "hPa")
-        self.assert_error(vtkMet3DReader, make("Pa", "feet"), "'feet' of 'altitude'",
-                          VerticalAxis=Base.HEIGHT)
-        self.assert_error(vtkMet3DReader, make("Pa"), "no variable 'z'", "lon, lat, pressure, altitude",
-                          VerticalAxis=Base.HEIGHT, HeightArray="z")
-        self.assert_error(vtkMet3DReader, met3d([[1]], [[1]], [[1]]), "known as height", "LOG_PRESSURE",
-                          VerticalAxis=Base.HEIGHT)
-        self.assert_error(vtkMet3DReader, met3d([[1]], [[1]], None), "pressure or height", "lon, lat")
+        self.assert_error(
+            vtkMet3DReader, make("Pa", "feet"), "'feet' of 'altitude'", VerticalAxis=Base.HEIGHT
+        )
+        self.assert_error(
+            vtkMet3DReader,
+            make("Pa"),
+            "no variable 'z'",
+            "lon, lat, pressure, altitude",
+            VerticalAxis=Base.HEIGHT,
+            HeightArray="z",
+        )
+        self.assert_error(
+            vtkMet3DReader,
+            met3d([[1]], [[1]], [[1]]),
+            "known as height",
+            "LOG_PRESSURE",
+            VerticalAxis=Base.HEIGHT,
+        )
+        self.assert_error(
+            vtkMet3DReader, met3d([[1]], [[1]], None), "pressure or height", "lon, lat"
+        )
 
 
 class TestLongitudes(TestCase):
@@ -286,38 +273,85 @@ class TestLongitudes(TestCase):
         return output
 
     def test_unwrap(self):
-        lines = [[170, 179, -172, -163], [-170, 175, 160, 150], [350, 359, 8, 17],
-                 [0, 120, -120, 0], [0, 180, 0, -180], [170, GAP, -170, -160]]
+        lines = [
+            [170, 179, -172, -163],
+            [-170, 175, 160, 150],
+            [350, 359, 8, 17],
+            [0, 120, -120, 0],
+            [0, 180, 0, -180],
+            [170, GAP, -170, -160],
+        ]
         output = self.read_lines(lines)
-        self.assertEqual(xs_of(output)[:5] + [sum(xs_of(output)[5:], [])],
-                         [[170, 179, 188, 197], [-170, -185, -200, -210], [350, 359, 368, 377],
-                          [0, 120, 240, 360], [0, 180, 0, -180], [170, 190, 200]])
+        self.assertEqual(
+            xs_of(output)[:5] + [sum(xs_of(output)[5:], [])],
+            [
+                [170, 179, 188, 197],
+                [-170, -185, -200, -210],
+                [350, 359, 368, 377],
+                [0, 120, 240, 360],
+                [0, 180, 0, -180],
+                [170, 190, 200],
+            ],
+        )
         self.assert_close(points(output, "lon"), [x for line in lines for x in line if x != GAP])
 
     def test_cut(self):
-        output = self.read_lines([[170, 176, -172, -163], [-170, 170, 160, 150], [350, 2, 4, 6]],
-                                 [[0, 1, 4, 5], [0, 2, 0, 0], [0, 0, 0, 0]], LongitudeMode=Base.CUT)
-        self.assertEqual(xs_of(output), [
-            [170, 176, 180], [-180, -172, -163], [-170, -180], [180, 170, 160, 150], [-10, 2, 4, 6]])
+        output = self.read_lines(
+            [[170, 176, -172, -163], [-170, 170, 160, 150], [350, 2, 4, 6]],
+            [[0, 1, 4, 5], [0, 2, 0, 0], [0, 0, 0, 0]],
+            LongitudeMode=Base.CUT,
+        )
+        self.assertEqual(
+            xs_of(output),
+            [
+                [170, 176, 180],
+                [-180, -172, -163],
+                [-170, -180],
+                [180, 170, 160, 150],
+                [-10, 2, 4, 6],
+            ],
+        )
         self.assertEqual(cells(output, "TrajectoryId"), [0, 0, 1, 1, 2])
         self.assert_close(lines_of(output)[0][2], (180, 2, log_height(500)))
         self.assert_close(lines_of(output)[1][0], (-180, 2, log_height(500)))
         self.assert_close(points(output, "time")[:6], [0, 1, 4 / 3, 4 / 3, 2, 3])
-        self.assert_close(points(output, "lon"), [
-            170, 176, 180, -180, -172, -163, -170, -180, 180, 170, 160, 150, 350, 2, 4, 6])
+        self.assert_close(
+            points(output, "lon"),
+            [170, 176, 180, -180, -172, -163, -170, -180, 180, 170, 160, 150, 350, 2, 4, 6],
+        )
 
     def test_cut_through_positions(self):
         # On the edge, along it and over the edge at a gap: no empty line, nothing doubled.
-        output = self.read_lines([[179, 180, -179, -178], [180, -180, 180, 179], [-179, -180, -180, 178],
-                                  [179, GAP, -179, -178]], LongitudeMode=Base.CUT)
-        self.assertEqual(xs_of(output), [
-            [179, 180], [-180, -179, -178], [180, 180, 180, 179], [-179, -180, -180], [180, 178],
-            [179], [-179, -178]])
+        output = self.read_lines(
+            [
+                [179, 180, -179, -178],
+                [180, -180, 180, 179],
+                [-179, -180, -180, 178],
+                [179, GAP, -179, -178],
+            ],
+            LongitudeMode=Base.CUT,
+        )
+        self.assertEqual(
+            xs_of(output),
+            [
+                [179, 180],
+                [-180, -179, -178],
+                [180, 180, 180, 179],
+                [-179, -180, -180],
+                [180, 178],
+                [179],
+                [-179, -178],
+            ],
+        )
 
     def test_cut_elsewhere(self):
-        output = self.read_lines([[170, 190, 350, 10]], LongitudeMode=Base.CUT, CentralLongitude=180)
+        output = self.read_lines(
+            [[170, 190, 350, 10]], LongitudeMode=Base.CUT, CentralLongitude=180
+        )
         self.assertEqual(xs_of(output), [[170, 190, 350, 360], [0, 10]])
-        output = self.read_lines([[80, 100, 120, 140]], LongitudeMode=Base.CUT, CentralLongitude=-90)
+        output = self.read_lines(
+            [[80, 100, 120, 140]], LongitudeMode=Base.CUT, CentralLongitude=-90
+        )
         self.assertEqual(xs_of(output), [[80, 90], [-270, -260, -240, -220]])
 
     def test_far_longitudes(self):
@@ -331,12 +365,20 @@ class TestTimes(TestCase):
     def test_until(self):
         reader = vtkMet3DReader()
         reader.SetTimeSelectionToUntilRequested()
-        content = met3d([[1, 2, 3, 4], [5, GAP, 7, 8]], [[0] * 4] * 2, [[500] * 4] * 2,
-                        {"a": ("f", ("trajectory",), [3, 4], {})}, time=[0, 6, 12, 18])
+        content = met3d(
+            [[1, 2, 3, 4], [5, GAP, 7, 8]],
+            [[0] * 4] * 2,
+            [[500] * 4] * 2,
+            {"a": ("f", ("trajectory",), [3, 4], {})},
+            time=[0, 6, 12, 18],
+        )
         key = vtkDataObject.DATA_TIME_STEP()
         for time, expected, ids in [
-                (6, [[1, 2], [5]], [0, 1]), (-1, [], []), (12.5, [[1, 2, 3], [5], [7]], [0, 1, 1]),
-                (99, [[1, 2, 3, 4], [5], [7, 8]], [0, 1, 1])]:
+            (6, [[1, 2], [5]], [0, 1]),
+            (-1, [], []),
+            (12.5, [[1, 2, 3], [5], [7]], [0, 1, 1]),
+            (99, [[1, 2, 3, 4], [5], [7, 8]], [0, 1, 1]),
+        ]:
             output, messages = read(reader, content, time)
             self.assertEqual(messages, [])
             self.assertEqual(xs_of(output), expected)
@@ -346,10 +388,13 @@ class TestTimes(TestCase):
             self.assertEqual(units(output, "lon"), "degrees_east")
             self.assertEqual(output.GetInformation().Get(key), time)
         self.assertEqual(steps_of(reader), [0, 6, 12, 18])
+        self.assertEqual(xs_of(read(vtkMet3DReader, content, 6)[0]), [[1, 2, 3, 4], [5], [7, 8]])
         self.assertEqual(
-            xs_of(read(vtkMet3DReader, content, 6)[0]), [[1, 2, 3, 4], [5], [7, 8]])
-        self.assertEqual(read(vtkMet3DReader, content, TimeSelection=Base.UNTIL_REQUESTED)[0]
-                         .GetNumberOfPoints(), 7)
+            read(vtkMet3DReader, content, TimeSelection=Base.UNTIL_REQUESTED)[
+                0
+            ].GetNumberOfPoints(),
+            7,
+        )
 
     def test_another_time_does_not_read_again(self):
         reader = vtkMet3DReader()
@@ -366,140 +411,6 @@ class TestTimes(TestCase):
         self.assert_close(points(output, "time"), [6, 0, 6, NAN])
 
 
-class TestLagrantoNetCDF(TestCase):
-    DATE = {name: ("i", [value]) for name, value in [
-        ("ref_year", 2011), ("ref_month", 1), ("ref_day", 23), ("ref_hour", 6), ("ref_min", 30),
-        ("duration", -1440)]}
-
-    def test_time_major(self):
-        reader = vtkLagrantoNetCDFReader()
-        output, messages = read(reader, lagranto_netcdf(
-            [[1, 2, 3], [4, 5, GAP]], [[0, 0, 0], [1, 1, GAP]], [[500, 600, 700], [800, 900, GAP]],
-            [0, -0.30, -1.15], {"TH": [[300, GAP, 302], [303, 304, GAP]]}, self.DATE))
-        self.assertEqual(messages, [])
-        self.assertEqual(xs_of(output), [[1, 2, 3], [4, 5]])
-        self.assert_close(points(output, "TH"), [300, NAN, 302, 303, 304])
-        self.assertEqual(points(output, "time"), [0, -0.5, -1.25, 0, -0.5])
-        self.assertEqual(units(output, "time"), "hours since 2011-01-23 06:30:00")
-        self.assertEqual(units(output, "p"), "hPa")
-        self.assertEqual(steps_of(reader), [-1.25, -0.5, 0])
-
-    def test_times(self):
-        def times(time, **options):
-            output, messages = read(vtkLagrantoNetCDFReader, lagranto_netcdf(
-                [[1, 2, 3]], [[0] * 3], [[500] * 3], time, **options))
-            self.assertEqual(messages, [])
-            return points(output, "time"), units(output, "time")
-
-        seconds = {"units": "seconds since 2011-01-01"}
-        self.assertEqual(times([0, 1800, 3600], time_attributes=seconds),
-                         ([0, 1800, 3600], "seconds since 2011-01-01"))
-        self.assertEqual(times([0, 0.75, 1.5]), ([0, 0.75, 1.5], "hours"))
-        self.assertEqual(times([0, 0.5, 1]), ([0, 50 / 60, 1], "hours"))
-
-    def test_height_and_dimension_names(self):
-        output, messages = read(vtkLagrantoNetCDFReader, lagranto_netcdf(
-            [[1], [2]], [[0], [0]], [[1500], [3000]], [0], names=("time", "id"), vertical="z"))
-        self.assertEqual(messages, [])
-        self.assertEqual([line[0][2] for line in lines_of(output)], [1.5, 3])
-        self.assertEqual(units(output, "z"), "m")
-
-
-class TestLagrantoText(TestCase):
-    ROWS = [[(0, 10, 50, 900, 300), (-6.30, 11, 51, 800, GAP)], [(0, 20, 60, 700, 301), (-6.30, 21, 61, 600, 302)]]
-    NAMES = ("time", "lon", "lat", "p", "TH")
-
-    def test_current_format(self):
-        for end in ("\n", "\r\n"):
-            reader = vtkLagrantoReader()
-            output, messages = read(reader, lagranto_text(self.ROWS, self.NAMES, end=end))
-            self.assertEqual(messages, [])
-            self.assertEqual(xs_of(output), [[10, 11], [20, 21]])
-            self.assert_close(output.GetPoint(3), (21, 61, log_height(600)))
-            self.assert_close(points(output, "TH"), [300, NAN, 301, 302])
-            self.assertEqual(points(output, "time"), [0, -6.5, 0, -6.5])
-            self.assertEqual(units(output, "time"), "hours since 2011-01-23 10:30:00")
-            self.assertEqual([units(output, name) for name in self.NAMES[1:]],
-                             ["degrees_east", "degrees_north", "hPa", None])
-            self.assertEqual(steps_of(reader), [-6.5, 0])
-
-    def test_older_format(self):
-        rows = [[(0, 1, 1, 500), (-0.5, 2, 2, 600)]]
-        output, _ = read(vtkLagrantoReader, lagranto_text(rows, title=" time period 2006 131 18 UTC  -120.00 h"))
-        self.assertEqual(points(output, "time"), [0, -0.5])
-        self.assertEqual(units(output, "time"), "hours since 2006-01-31 18:00:00")
-        output, _ = read(vtkLagrantoReader, lagranto_text(rows, title="Reference date unknown"))
-        self.assertEqual(units(output, "time"), "hours")
-
-    def test_sorted_by_time(self):
-        blocks = [list(block) for block in zip(*self.ROWS)]
-        expected, _ = read(vtkLagrantoReader, lagranto_text(self.ROWS, self.NAMES))
-        expected = lines_of(expected), points(expected, "time")
-        output, messages = read(vtkLagrantoReader, lagranto_text(blocks, self.NAMES))
-        self.assertEqual(messages, [])
-        self.assertEqual((lines_of(output), points(output, "time")), expected)
-        self.assert_error(vtkLagrantoReader, lagranto_text(blocks + [blocks[0][:1]], self.NAMES),
-                          "sorted by times", "1 rows")
-
-    def test_lines_of_differing_lengths(self):
-        output, _ = read(vtkLagrantoReader, lagranto_text([self.ROWS[0], [], self.ROWS[1][:1]], self.NAMES))
-        self.assertEqual(xs_of(output), [[10, 11], [20]])
-        text = lagranto_text(self.ROWS, self.NAMES).rstrip()
-        self.assertEqual(read(vtkLagrantoReader, text)[0].GetNumberOfPoints(), 4)
-
-    def test_missing_numbers(self):
-        output, messages = read(vtkLagrantoReader, lagranto_text(
-            [[(0, 1, 1, 500, "*******"), (1, "-999.990", 1, -1000, "nan"), (2, 3, 1, "+6e2", 5)]], self.NAMES))
-        self.assertEqual(messages, [])
-        self.assertEqual(xs_of(output), [[1], [3]])
-        self.assert_close(points(output, "TH"), [NAN, 5])
-
-    def test_column_names(self):
-        names = ("time", "lon", "lat", "z", "TH", "TH", "TH_2", "time")
-        output, messages = read(vtkLagrantoReader, lagranto_text([[range(1, 9)]], names))
-        self.assertEqual(messages, [])
-        found = {output.GetPointData().GetArrayName(i) for i in range(output.GetPointData().GetNumberOfArrays())}
-        self.assertEqual(found, {"lon", "lat", "z", "TH", "TH_2", "TH_2_2", "time_2", "time"})
-        self.assertEqual(points(output, "TH_2"), [6])
-        self.assert_close(output.GetPoint(0), (2, 3, 0.004))
-
-    def test_errors(self):
-        good = lagranto_text(self.ROWS, self.NAMES).decode()
-        self.assert_error(vtkLagrantoReader, b"time lon lat p\n1 2 3 4\n", "line of dashes")
-        self.assert_error(vtkLagrantoReader, lagranto_text(self.ROWS, ("a", "b", "c", "d", "e")), "time lon lat")
-        self.assert_error(vtkLagrantoReader, lagranto_text([]), "no row of numbers")
-        self.assert_error(vtkLagrantoReader, good.replace("51.000", "").encode(),
-                          "line 7: expected 5 columns", "found 4")
-        self.assert_error(vtkLagrantoReader, good.replace("61.000", "61.0 7").encode(), "line 10", "found 6")
-        self.assert_error(vtkLagrantoReader, good.replace("51.000", "5l.000").encode(),
-                          "line 7: expected a number for 'lat', found '5l.000'")
-        for number in ("1e999", "1e39", "-"):
-            self.assert_error(vtkLagrantoReader, good.replace("51.000", number).encode(), f"found '{number}'")
-
-    def test_truncated(self):
-        text = lagranto_text(self.ROWS, self.NAMES)
-        for length in range(len(text)):
-            output, messages = read(vtkLagrantoReader, text[:length])
-            self.assertLessEqual(len(messages), 1)
-            self.assertTrue(messages or output.GetNumberOfPoints() > 0)
-
-    def test_progress_and_abort(self):
-        pathlib.Path(FILE).write_bytes(lagranto_text(self.ROWS * 500, self.NAMES))
-        reader = vtkLagrantoReader()
-        reader.SetFileName(FILE)
-        reader.UpdateInformation()
-        seen = []
-        reader.AddObserver("ProgressEvent", lambda *_: seen.append(reader.GetProgress()))
-        reader.Update()
-        self.assertEqual(seen, sorted(seen))
-        self.assertGreater(len(seen), 90)
-        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 2000)
-        reader.Modified()
-        reader.AddObserver("ProgressEvent", lambda *_: reader.GetProgress() > 0.3 and reader.SetAbortExecute(1))
-        reader.Update()
-        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 0)
-
-
 class TestUntrusted(TestCase):
     GOOD = met3d([[1, 2]], [[1, 2]], [[500, 600]], {"T": ("f", None, [[1, 2]], {"units": "K"})})
 
@@ -508,71 +419,118 @@ class TestUntrusted(TestCase):
         self.assertEqual(message, "EnsembleMember is 1, but the file has members 0 to 0")
 
     def test_truncated(self):
+        orders = {None: ("trajectory", "time"), "time": ("time", "ensemble", "trajectory")}
         for version in (1, 2, 5):
-            for records in (None, "time"):
-                content = met3d([[1, 2]], [[1, 2]], [[500, 600]], version=version, records=records,
-                                order=("trajectory", "time") if records is None else ("time", "ensemble", "trajectory"))
+            for records in orders:
+                content = met3d(
+                    [[1, 2]],
+                    [[1, 2]],
+                    [[500, 600]],
+                    version=version,
+                    records=records,
+                    order=orders[records],
+                )
                 self.assertEqual(read(vtkMet3DReader, content)[1], [])
                 for length in range(0, len(content), 7 if version > 1 else 1):
                     self.assert_error(vtkMet3DReader, content[:length])
                     self.assertFalse(vtkMet3DReader().CanReadFile(FILE))
         content = pathlib.Path(PACIFIC).read_bytes()
         for share in (0.001, 0.01, 0.1, 0.5, 0.9, 0.99):
-            self.assert_error(vtkMet3DReader, content[:int(share * len(content))])
+            self.assert_error(vtkMet3DReader, content[: int(share * len(content))])
 
     def test_messages(self):
-        self.assert_error(vtkMet3DReader, self.GOOD[:-1], "'T' should end at byte", str(len(self.GOOD)))
+        self.assert_error(
+            vtkMet3DReader, self.GOOD[:-1], "'T' should end at byte", str(len(self.GOOD))
+        )
         self.assert_error(vtkMet3DReader, self.GOOD[:60], "header should go on")
         self.assert_error(vtkMet3DReader, b"nothing of the kind", "is not a NetCDF file")
-        self.assert_error(vtkMet3DReader, netcdf({"t": 1}, {"time": ("d", ("t",), [0], {})}),
-                          "has no trajectories", "time(t)")
+        self.assert_error(
+            vtkMet3DReader,
+            netcdf({"t": 1}, {"time": ("d", ("t",), [0], {})}),
+            "has no trajectories",
+            "time(t)",
+        )
         empty = {name: ("f", ("t", "n"), [], {}) for name in ("lon", "lat", "p")}
-        self.assert_error(vtkLagrantoNetCDFReader, netcdf(
-            {"n": 1, "t": 0}, {"time": ("d", ("t",), [], {}), **empty}, records="t"),
-            "holds no positions: 1 trajectories, 0 times")
+        self.assert_error(
+            vtkLagrantoNetCDFReader,
+            netcdf({"n": 1, "t": 0}, {"time": ("d", ("t",), [], {}), **empty}, records="t"),
+            "holds no positions: 1 trajectories, 0 times",
+        )
         self.assert_error(vtkLagrantoNetCDFReader, self.GOOD, "read it with vtkMet3DReader")
-        self.assert_error(vtkMet3DReader, lagranto_netcdf([[1]], [[1]], [[500]], [0]),
-                          "read it with vtkLagrantoNetCDFReader")
+        self.assert_error(
+            vtkMet3DReader,
+            lagranto_netcdf([[1]], [[1]], [[500]], [0]),
+            "read it with vtkLagrantoNetCDFReader",
+        )
 
     def test_lying_sizes(self):
         # The length of the dimension `trajectory`, behind its name.
         at = self.GOOD.index(b"trajectory") + 12
-        for length in (2, 1000, 0x7fffffff):
-            lie = self.GOOD[:at] + length.to_bytes(4, "big") + self.GOOD[at + 4:]
+        for length in (2, 1000, 0x7FFFFFFF):
+            lie = self.GOOD[:at] + length.to_bytes(4, "big") + self.GOOD[at + 4 :]
             self.assert_error(vtkMet3DReader, lie, "should end at byte")
         # Numbers of elements, of types and of dimensions.
         for at in range(4, self.GOOD.index(b"pressure") + 100, 4):
-            for value in (0x7fffffff, 0xffffffff, 12345):
-                _, messages = read(vtkMet3DReader, self.GOOD[:at] + value.to_bytes(4, "big") + self.GOOD[at + 4:])
-                self.assertLessEqual(len([event for event, _ in messages if event == "ErrorEvent"]), 1)
+            for value in (0x7FFFFFFF, 0xFFFFFFFF, 12345):
+                lie = self.GOOD[:at] + value.to_bytes(4, "big") + self.GOOD[at + 4 :]
+                _, messages = read(vtkMet3DReader, lie)
+                errors = [event for event, _ in messages if event == "ErrorEvent"]
+                self.assertLessEqual(len(errors), 1)
 
     def test_can_read_file(self):
         lagranto = lagranto_netcdf([[1]], [[1]], [[500]], [0])
-        grid = netcdf({"time": 1, "lat": 2, "lon": 2}, {
-            "time": ("d", ("time",), [0], {}), "lat": ("f", ("lat",), [0, 1], {}),
-            "lon": ("f", ("lon",), [0, 1], {}), "p": ("f", ("time", "lat", "lon"), [1] * 4, {})})
+        grid = netcdf(
+            {"time": 1, "lat": 2, "lon": 2},
+            {
+                "time": ("d", ("time",), [0], {}),
+                "lat": ("f", ("lat",), [0, 1], {}),
+                "lon": ("f", ("lon",), [0, 1], {}),
+                "p": ("f", ("time", "lat", "lon"), [1] * 4, {}),
+            },
+        )
         over = ("time", "y", "x")
-        moving_grid = netcdf({"time": 1, "y": 2, "x": 2}, {
-            "time": ("d", ("time",), [0], {}), **{name: ("f", over, [1] * 4, {}) for name in ("lon", "lat", "p")}})
-        track = netcdf({"time": 2}, {
-            "time": ("d", ("time",), [0, 1], {}),
-            **{name: ("f", ("time",), [1, 2], {}) for name in ("lon", "lat", "p")}})
+        moving_grid = netcdf(
+            {"time": 1, "y": 2, "x": 2},
+            {
+                "time": ("d", ("time",), [0], {}),
+                **{name: ("f", over, [1] * 4, {}) for name in ("lon", "lat", "p")},
+            },
+        )
+        track = netcdf(
+            {"time": 2},
+            {
+                "time": ("d", ("time",), [0, 1], {}),
+                **{name: ("f", ("time",), [1, 2], {}) for name in ("lon", "lat", "p")},
+            },
+        )
         profiles = met3d([[1]], [[1]], [[1]], attributes={"featureType": "timeSeriesProfile"})
         flat = met3d([[1]], [[1]], None)
         readers = [vtkMet3DReader, vtkLagrantoNetCDFReader, vtkLagrantoReader]
         for content, expected in [
-                (self.GOOD, vtkMet3DReader), (lagranto, vtkLagrantoNetCDFReader),
-                (lagranto_text(TestLagrantoText.ROWS, TestLagrantoText.NAMES), vtkLagrantoReader),
-                (grid, None), (moving_grid, None), (track, None), (profiles, None), (flat, None),
-                (b"", None), (b"# vtk DataFile Version 3.0\n", None), (b"-----\n", None)]:
+            (self.GOOD, vtkMet3DReader),
+            (lagranto, vtkLagrantoNetCDFReader),
+            (lagranto_text([[(0, 1, 1, 500), (1, 2, 2, 600)]]), vtkLagrantoReader),
+            (grid, None),
+            (moving_grid, None),
+            (track, None),
+            (profiles, None),
+            (flat, None),
+            (b"", None),
+            (b"# vtk DataFile Version 3.0\n", None),
+            (b"-----\n", None),
+        ]:
             pathlib.Path(FILE).write_bytes(content)
-            self.assertEqual([bool(reader().CanReadFile(FILE)) for reader in readers],
-                             [reader is expected for reader in readers])
+            self.assertEqual(
+                [bool(reader().CanReadFile(FILE)) for reader in readers],
+                [reader is expected for reader in readers],
+            )
             chosen = vtkTrajectoryReaderFactory.CreateReader(FILE)
             self.assertIs(type(chosen), expected or type(None))
         for name in (PACIFIC, str(pathlib.Path(FILE).parent), "no such file"):
-            self.assertEqual([bool(reader().CanReadFile(name)) for reader in readers],
-                             [name == PACIFIC, False, False])
+            self.assertEqual(
+                [bool(reader().CanReadFile(name)) for reader in readers],
+                [name == PACIFIC, False, False],
+            )
         for name in ("combustor.vtk", "combustor-lines.vtk"):
             name = str(pathlib.Path(Testing.VTK_DATA_ROOT, name))
             self.assertFalse(any(reader().CanReadFile(name) for reader in readers))

@@ -6,7 +6,14 @@ import itertools
 import math
 import struct
 
-TYPES = {"b": (1, ">b"), "c": (2, ">c"), "h": (3, ">h"), "i": (4, ">i"), "f": (5, ">f"), "d": (6, ">d")}
+TYPES = {
+    "b": (1, ">b"),
+    "c": (2, ">c"),
+    "h": (3, ">h"),
+    "i": (4, ">i"),
+    "f": (5, ">f"),
+    "d": (6, ">d"),
+}
 
 
 def netcdf(dimensions, variables, attributes=None, version=1, records=None):
@@ -35,7 +42,9 @@ def netcdf(dimensions, variables, attributes=None, version=1, records=None):
         return b"".join(struct.pack(TYPES[kind][1], value) for value in numbers)
 
     def attribute(name, value):
-        kind, data = ("c", value.encode()) if isinstance(value, str) else (value[0], values_of(*value))
+        kind, data = (
+            ("c", value.encode()) if isinstance(value, str) else (value[0], values_of(*value))
+        )
         count = len(data) // struct.calcsize(TYPES[kind][1])
         return name_of(name) + integer(TYPES[kind][0], ">i") + integer(count) + pad(data)
 
@@ -46,22 +55,37 @@ def netcdf(dimensions, variables, attributes=None, version=1, records=None):
         entries = []
         for (name, (kind, over, _, items)), begin in zip(variables.items(), begins):
             ids = [integer(list(dimensions).index(dimension)) for dimension in over]
-            entries.append(name_of(name) + integer(len(ids)) + b"".join(ids) + list_of_attributes(items)
-                           + integer(TYPES[kind][0], ">i") + integer(sizes[name])
-                           + integer(begin, offset))
-        lengths = [name_of(name) + integer(0 if name == records else length)
-                   for name, length in dimensions.items()]
-        return (b"CDF" + bytes([version]) + integer(dimensions.get(records, 0)) + list_of(10, lengths)
-                + list_of_attributes(attributes) + list_of(11, entries))
+            entries.append(
+                name_of(name)
+                + integer(len(ids))
+                + b"".join(ids)
+                + list_of_attributes(items)
+                + integer(TYPES[kind][0], ">i")
+                + integer(sizes[name])
+                + integer(begin, offset)
+            )
+        lengths = [
+            name_of(name) + integer(0 if name == records else length)
+            for name, length in dimensions.items()
+        ]
+        return (
+            b"CDF"
+            + bytes([version])
+            + integer(dimensions.get(records, 0))
+            + list_of(10, lengths)
+            + list_of_attributes(attributes)
+            + list_of(11, entries)
+        )
 
     sizes = {}  # of each variable, of one record or of all of it
     blocks = {}
     for name, (kind, over, numbers, _) in variables.items():
         data = values_of(kind, numbers)
         step = struct.calcsize(TYPES[kind][1]) * math.prod(
-            dimensions[dimension] for dimension in over if dimension != records)
+            dimensions[dimension] for dimension in over if dimension != records
+        )
         count = dimensions[records] if records in over else 1
-        blocks[name] = [pad(data[i * step:(i + 1) * step]) for i in range(count)]
+        blocks[name] = [pad(data[i * step : (i + 1) * step]) for i in range(count)]
         sizes[name] = step + -step % 4
     fixed = [name for name in variables if records not in variables[name][1]]
     recorded = [name for name in variables if records in variables[name][1]]
@@ -75,19 +99,34 @@ def netcdf(dimensions, variables, attributes=None, version=1, records=None):
     return header([begins[name] for name in variables]) + b"".join(data)
 
 
-def met3d(lon, lat, pressure, extra=None, time=None, order=("ensemble", "trajectory", "time"),
-          dimensions=None, kind="f", pressure_attributes=None, **options):
+def met3d(
+    lon,
+    lat,
+    pressure,
+    extra=None,
+    time=None,
+    order=("ensemble", "trajectory", "time"),
+    dimensions=None,
+    kind="f",
+    pressure_attributes=None,
+    **options,
+):
     """A file of Met.3D; the coordinates are lists of trajectories, or nested once more by member.
 
     extra: further variables. dimensions: further dimensions. order: of all three, or without the
     ensemble. The fill value is -999.99.
     """
+
     def nested(values):
         return values if isinstance(values[0][0], (list, tuple)) else [values]
 
     def flat(values):
         members = nested(values)
-        lengths = {"ensemble": len(members), "trajectory": len(members[0]), "time": len(members[0][0])}
+        lengths = {
+            "ensemble": len(members),
+            "trajectory": len(members[0]),
+            "time": len(members[0][0]),
+        }
         result = []
         for index in itertools.product(*(range(lengths[name]) for name in order)):
             at = dict(zip(order, index))
@@ -97,24 +136,46 @@ def met3d(lon, lat, pressure, extra=None, time=None, order=("ensemble", "traject
     lengths, lon = flat(lon)
     fill = {"_FillValue": (kind, [-999.99])}
     variables = {
-        "time": ("d", ("time",), range(lengths["time"]) if time is None else time,
-                 {"units": "hours since 2011-01-15 12:00:00"}),
+        "time": (
+            "d",
+            ("time",),
+            range(lengths["time"]) if time is None else time,
+            {"units": "hours since 2011-01-15 12:00:00"},
+        ),
         "lon": (kind, order, lon, {"units": "degrees_east", **fill}),
         "lat": (kind, order, flat(lat)[1], {"units": "degrees_north", **fill}),
     }
     if pressure:
-        variables["pressure"] = (kind, order, flat(pressure)[1],
-                                 {"units": "hPa", **fill, **(pressure_attributes or {})})
+        variables["pressure"] = (
+            kind,
+            order,
+            flat(pressure)[1],
+            {"units": "hPa", **fill, **(pressure_attributes or {})},
+        )
     for name, (extra_kind, over, values, items) in (extra or {}).items():
-        variables[name] = (extra_kind, order if over is None else over,
-                           flat(values)[1] if over is None else values, items)
+        variables[name] = (
+            extra_kind,
+            order if over is None else over,
+            flat(values)[1] if over is None else values,
+            items,
+        )
     used = {name: lengths[name] for name in lengths if name in order}
     return netcdf({**used, **(dimensions or {})}, variables, **options)
 
 
-def lagranto_netcdf(lon, lat, p, time, extra=None, attributes=None, names=("ntim", "ntra"),
-                    time_attributes=None, vertical="p"):
+def lagranto_netcdf(
+    lon,
+    lat,
+    p,
+    time,
+    extra=None,
+    attributes=None,
+    names=("ntim", "ntra"),
+    time_attributes=None,
+    vertical="p",
+):
     """A file of LAGRANTO, time-major; the coordinates are lists of trajectories."""
+
     def flat(values):
         return [trajectory[i] for i in range(len(time)) for trajectory in values]
 
@@ -124,9 +185,14 @@ def lagranto_netcdf(lon, lat, p, time, extra=None, attributes=None, names=("ntim
     return netcdf({names[0]: len(time), names[1]: len(lon)}, variables, attributes)
 
 
-def lagranto_text(blocks, names=("time", "lon", "lat", "p"),
-                  title="Reference date 20110123_1030 / Time range   -1440 min", end="\n"):
+def lagranto_text(
+    blocks,
+    names=("time", "lon", "lat", "p"),
+    title="Reference date 20110123_1030 / Time range   -1440 min",
+    end="\n",
+):
     """A text of LAGRANTO; blocks of rows, numbers or words."""
+
     def word(value):
         return value if isinstance(value, str) else "NaN" if math.isnan(value) else f"{value:.3f}"
 
