@@ -5,6 +5,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkTrackVisReader.h"
 #include "vtkTrajectoryReader.h"
 
 #include <vector>
@@ -24,7 +25,9 @@ vtkSmartPointer<vtkTrajectoryReader> Make()
 
 using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
 
-const std::vector<Maker> Makers = {};
+const std::vector<Maker> Makers = {
+  &Make<vtkTrackVisReader>,
+};
 }
 
 //------------------------------------------------------------------------------
