@@ -3,8 +3,10 @@
 
 #include "vtkTrajectoryReaderFactory.h"
 
+#include "vtkMRtrixTracksReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkTRXReader.h"
 #include "vtkTrackVisReader.h"
 #include "vtkTrajectoryReader.h"
 
@@ -26,6 +28,8 @@ vtkSmartPointer<vtkTrajectoryReader> Make()
 using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
 
 const std::vector<Maker> Makers = {
+  &Make<vtkMRtrixTracksReader>,
+  &Make<vtkTRXReader>,
   &Make<vtkTrackVisReader>,
 };
 }

@@ -8,6 +8,7 @@ FOLDER/READER/ gets small valid files for the target of each reader.
 
 import pathlib
 import sys
+import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "Python"))
@@ -17,7 +18,23 @@ import tractograms  # noqa: E402: the folder that it is in has to be known first
 LINES = [[(1, 2, 3), (4, 5, 6)], [(7, 8, 9)]]
 LINES_WITH_SCALAR = [[(1, 2, 3, 0.5), (4, 5, 6, 1.5)], [(7, 8, 9, 2.5)]]
 
+ARRAYS = {
+    "dpv/fa.float16": [0.5, 1.5, 2.5],
+    "dps/color.3.uint8": [1, 2, 3, 4, 5, 6],
+    "groups/all.uint32": [0, 1],
+    "dpg/all/mean.float32": [0.5],
+}
+
 SEEDS = {
+    "vtkMRtrixTracksReader": {
+        "float.tck": tractograms.tck(LINES),
+        "double.tck": tractograms.tck(LINES, datatype="Float64BE"),
+    },
+    "vtkTRXReader": {
+        "stored.trx": tractograms.trx(LINES, ARRAYS),
+        "deflated.trx": tractograms.trx(
+            LINES, ARRAYS, compression=zipfile.ZIP_DEFLATED, offset_type="uint64", last=True),
+    },
     "vtkTrackVisReader": {
         "plain.trk": tractograms.trk(LINES),
         "arrays.trk": tractograms.trk(
