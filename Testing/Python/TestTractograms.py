@@ -489,6 +489,27 @@ class TestRecognition(unittest.TestCase):
             for path in ("", VTK_TEMP_DIR, VTK_TEMP_DIR + "/none", None):
                 self.assertEqual(reader().CanReadFile(path), 0)
 
+    def test_progress_and_abort(self):
+        many = LINES * 400
+        for reader, content in ((vtkTrackVisReader(), trk(many)), (vtkMRtrixTracksReader(), tck(many)),
+                                (vtkTRXReader(), trx(many))):
+            progress = []
+            reader.AddObserver("ProgressEvent", lambda caller, _: progress.append(caller.GetProgress()))
+            path = write(content)
+            output, messages = update(reader, path)
+            self.assertEqual((output.GetNumberOfLines(), messages), (1200, []))
+            self.assertEqual(progress, sorted(progress))
+            self.assertEqual((progress[0], progress[-1]), (0, 1))
+            self.assertLess(len(progress), 110)
+            abort = reader.AddObserver("ProgressEvent", lambda caller, _: caller.AbortExecuteOn())
+            reader.Modified()
+            output, messages = update(reader, path)
+            self.assertEqual((output.GetNumberOfLines(), messages), (0, []))
+            reader.RemoveObserver(abort)
+            reader.AbortExecuteOff()
+            reader.Modified()
+            self.assertEqual(update(reader, path)[0].GetNumberOfLines(), 1200)
+
     def test_factory(self):
         for reader, content in self.FILES.items():
             made = vtkTrajectoryReaderFactory.CreateReader(write(content, "a.dat"))
