@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The fuzzer's bytes choose the files in a TRX archive: as bytes of an archive, nearly all of them
-// would end at its checksums.
+// would end at its checksums. make_seeds.py knows the order of the choices.
 
 #include "FuzzReader.h"
 
@@ -26,8 +26,9 @@ constexpr const char* Types[] = { "int8", "int16", "int32", "int64", "uint8", "u
 //------------------------------------------------------------------------------
 std::string MakeHeader(FuzzedDataProvider& choices)
 {
-  return "{\"NB_STREAMLINES\": " + std::to_string(choices.ConsumeIntegralInRange(-1, 20)) +
-    ", \"NB_VERTICES\": " + std::to_string(choices.ConsumeIntegralInRange(-1, 20)) +
+  const std::string lines = std::to_string(choices.ConsumeIntegralInRange(-1, 20));
+  const std::string points = std::to_string(choices.ConsumeIntegralInRange(-1, 20));
+  return "{\"NB_STREAMLINES\": " + lines + ", \"NB_VERTICES\": " + points +
     ", \"DIMENSIONS\": [1, 2, 3]}";
 }
 
@@ -61,8 +62,9 @@ std::vector<std::uint8_t> MakeArchive(FuzzedDataProvider& choices)
   for (int count = choices.ConsumeIntegralInRange(0, 12); count > 0; --count)
   {
     const std::string name = choices.PickValueInArray(Names);
-    Write(zip, name + choices.PickValueInArray(Types),
-      choices.ConsumeBytesAsString(choices.ConsumeIntegralInRange<std::size_t>(0, 255)));
+    const std::string type = choices.PickValueInArray(Types);
+    const auto size = choices.ConsumeIntegralInRange<std::size_t>(0, 255);
+    Write(zip, name + type, choices.ConsumeBytesAsString(size));
   }
   archive_write_close(zip);
   archive_write_free(zip);

@@ -18,14 +18,38 @@ import tractograms  # noqa: E402: the folder that it is in has to be known first
 LINES = [[(1, 2, 3), (4, 5, 6)], [(7, 8, 9)]]
 LINES_WITH_SCALAR = [[(1, 2, 3, 0.5), (4, 5, 6, 1.5)], [(7, 8, 9, 2.5)]]
 
+# Those of FuzzTRXEntries.cxx, whose types are in the order of tractograms.LETTERS.
+ENTRY_NAMES = ["positions.3.", "offsets.", "dpv/a.", "dpv/b.2.", "dps/a.", "dps/b.3.", "groups/a.",
+               "groups/b.", "dpg/a/b.", "dpg/a/b.2.", "header.", "c."]
+
 ARRAYS = {
-    "dpv/fa.float16": [0.5, 1.5, 2.5],
-    "dps/color.3.uint8": [1, 2, 3, 4, 5, 6],
-    "groups/all.uint32": [0, 1],
-    "dpg/all/mean.float32": [0.5],
+    "dpv/a.float16": [0.5, 1.5, 2.5],
+    "dps/b.3.uint8": [1, 2, 3, 4, 5, 6],
+    "groups/a.uint32": [0, 1],
+    "dpg/a/b.float32": [0.5],
 }
 
+
+def choose_entries(lines, arrays):
+    """What makes FuzzTRXEntries.cxx write this archive.
+
+    It takes the contents from the beginning, and a byte for each choice from the end.
+    """
+    entries = tractograms.trx_entries(lines, arrays)
+    del entries["header.json"]
+    points = sum(map(len, lines))
+    contents = b""
+    choices = [0, 1, len(lines) + 1, points + 1, len(entries)]
+    for name, content in entries.items():
+        kind = name.split(".")[-1]
+        choices += [ENTRY_NAMES.index(name[:-len(kind)]), list(tractograms.LETTERS).index(kind),
+                    len(content)]
+        contents += content
+    return contents + bytes(reversed(choices))
+
+
 SEEDS = {
+    "vtkTRXReaderEntries": {"entries": choose_entries(LINES, ARRAYS)},
     "vtkMRtrixTracksReader": {
         "float.tck": tractograms.tck(LINES),
         "double.tck": tractograms.tck(LINES, datatype="Float64BE"),
