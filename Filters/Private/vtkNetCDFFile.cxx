@@ -220,8 +220,8 @@ void vtkNetCDFFile::CheckSize(const std::vector<Variable>& variables) const
     if (size > limit || chunkSize > limit)
     {
       throw vtkTrajectoryFileError("the file claims more than it can hold: " +
-        std::to_string(std::max(size, chunkSize)) + " bytes up to its variable '" + variable.Name +
-        "', in a file of " + std::to_string(this->FileLength) + " bytes");
+        vtkNetCDFHeader::FormatSize(std::max(size, chunkSize)) + " bytes up to its variable '" +
+        variable.Name + "', in a file of " + std::to_string(this->FileLength) + " bytes");
     }
   }
 }

@@ -61,7 +61,7 @@ public:
       {
         throw vtkTrajectoryFileError(
           "the file is cut off or its header is damaged: the values of '" + variable.Name +
-            "' should end at byte " + Format(end) + ", but the file has " +
+            "' should end at byte " + vtkNetCDFHeader::FormatSize(end) + ", but the file has " +
             std::to_string(this->Length) + " bytes",
           vtkErrorCode::PrematureEndOfFileError);
       }
@@ -76,11 +76,6 @@ private:
     double Size = 0.0; // bytes; of one record where it is a record variable
     double Begin = 0.0;
   };
-
-  static std::string Format(double bytes)
-  {
-    return bytes < 1e15 ? std::to_string(static_cast<std::uint64_t>(bytes)) : "10^15 or more";
-  }
 
   void Require(double size)
   {
@@ -222,6 +217,12 @@ std::uint64_t vtkNetCDFHeader::Check(const std::string& fileName)
       vtkErrorCode::UnrecognizedFileTypeError);
   }
   return length;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkNetCDFHeader::FormatSize(double size)
+{
+  return size < 1e15 ? std::to_string(static_cast<std::uint64_t>(size)) : "10^15 or more";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -27,6 +27,9 @@ struct vtkNetCDFHeader
 {
   /** The file's length in bytes; throws vtkTrajectoryFileError. */
   static std::uint64_t Check(const std::string& fileName);
+
+  /** A claimed number of bytes, for messages. */
+  static std::string FormatSize(double size);
 };
 
 VTK_ABI_NAMESPACE_END

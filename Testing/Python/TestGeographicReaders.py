@@ -469,6 +469,11 @@ class TestUntrusted(TestCase):
         for length in (2, 1000, 0x7FFFFFFF):
             lie = self.GOOD[:at] + length.to_bytes(4, "big") + self.GOOD[at + 4 :]
             self.assert_error(vtkMet3DReader, lie, "should end at byte")
+        # NetCDF-4 of 100000 x 100000 positions, of which none was written.
+        unwritten = pathlib.Path(__file__).parent.parent / "Data" / "unwritten.nc"
+        self.assert_error(
+            vtkMet3DReader, str(unwritten), "claims more than it can hold: 40000000000 bytes"
+        )
         # Numbers of elements, of types and of dimensions.
         for at in range(4, self.GOOD.index(b"pressure") + 100, 4):
             for value in (0x7FFFFFFF, 0xFFFFFFFF, 12345):
