@@ -198,7 +198,7 @@ vtkSmartPointer<vtkCellArray> vtkGeographicLines::MakePolylines(vtkIdTypeArray* 
   connectivity->SetNumberOfValues(offsets->GetValue(offsets->GetNumberOfValues() - 1));
   vtkIdType* first = connectivity->GetPointer(0);
   std::iota(first, first + connectivity->GetNumberOfValues(), vtkIdType(0));
-  const auto lines = vtkSmartPointer<vtkCellArray>::New();
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
   lines->SetData(offsets, connectivity);
   return lines;
 }
@@ -264,7 +264,7 @@ vtkSmartPointer<vtkDataArray> vtkGeographicLines::MakePointArray(
 vtkSmartPointer<vtkDataArray> vtkGeographicLines::MakeCellArray(
   const vtkTrajectorySource::Samples& samples) const
 {
-  const auto result = vtk::TakeSmartPointer(samples.GetValues()->NewInstance());
+  auto result = vtk::TakeSmartPointer(samples.GetValues()->NewInstance());
   result->SetNumberOfTuples(this->GetNumberOfLines());
   for (vtkIdType line = 0; line < this->GetNumberOfLines(); ++line)
   {

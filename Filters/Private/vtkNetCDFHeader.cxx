@@ -203,7 +203,7 @@ std::uint64_t vtkNetCDFHeader::Check(const std::string& fileName)
   vtksys::ifstream stream(fileName.c_str(), std::ios::in | std::ios::binary);
   std::string magic(8, '\0');
   stream.read(&magic[0], 4);
-  const int version = magic[3];
+  const int version = static_cast<unsigned char>(magic[3]);
   if (stream && magic.compare(0, 3, "CDF") == 0 && (version == 1 || version == 2 || version == 5))
   {
     ClassicHeader(stream, length, version).Check();

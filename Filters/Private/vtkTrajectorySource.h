@@ -55,7 +55,10 @@ public:
     }
 
     /** The same with trajectories that begin at any multiple of the stride, not at their number. */
-    void SetStarts(std::shared_ptr<const std::vector<vtkIdType>> starts) { this->Starts = starts; }
+    void SetStarts(const std::shared_ptr<const std::vector<vtkIdType>>& starts)
+    {
+      this->Starts = starts;
+    }
 
     vtkIdType GetIndex(vtkIdType trajectory, vtkIdType sample) const
     {
