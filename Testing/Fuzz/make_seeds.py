@@ -13,10 +13,19 @@ import zipfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "Python"))
 
-import tractograms  # noqa: E402: the folder that it is in has to be known first
+import geographic  # noqa: E402: the folder that they are in has to be known first
+import tractograms  # noqa: E402
 
 LINES = [[(1, 2, 3), (4, 5, 6)], [(7, 8, 9)]]
 LINES_WITH_SCALAR = [[(1, 2, 3, 0.5), (4, 5, 6, 1.5)], [(7, 8, 9, 2.5)]]
+
+# Of two trajectories each, one across the edge of the map, and with a gap.
+LON = [[178.5, 179.5, -179.5, -178.5], [10, 11, -999.99, 13]]
+LAT = [[40, 41, 42, 43], [-5, -6, -999.99, -8]]
+PRESSURE = [[900, 800, 600, 300], [850, 840, -999.99, 820]]
+TEMPERATURE = [[280, 270, 260, 240], [290, 289, 288, 287]]
+ROWS = [[[hour, *position] for hour, position in enumerate(zip(lon, lat, pressure))]
+        for lon, lat, pressure in zip(LON, LAT, PRESSURE)]
 
 # Those of FuzzTRXEntries.cxx, whose types are in the order of tractograms.LETTERS.
 ENTRY_NAMES = ["positions.3.", "offsets.", "dpv/a.", "dpv/b.2.", "dps/a.", "dps/b.3.", "groups/a.",
@@ -49,6 +58,22 @@ def choose_entries(lines, arrays):
 
 
 SEEDS = {
+    "vtkLagrantoNetCDFReader": {
+        "plain.nc": geographic.lagranto_netcdf(LON, LAT, PRESSURE, range(4)),
+        "traced.nc": geographic.lagranto_netcdf(
+            LON, LAT, PRESSURE, range(4), {"T": TEMPERATURE}, {"ref_year": ("i", [2011])}),
+    },
+    "vtkLagrantoReader": {
+        "plain.lsl": geographic.lagranto_text(ROWS),
+        "old.lsl": geographic.lagranto_text(ROWS, title="time period 2006 131 18 UTC -120.00 h"),
+    },
+    "vtkMet3DReader": {
+        "plain.nc": geographic.met3d(LON, LAT, PRESSURE),
+        "members.nc": geographic.met3d(
+            [LON, LON], [LAT, LAT], [PRESSURE, PRESSURE], version=2,
+            extra={"temperature": ("f", None, [TEMPERATURE] * 2, {"auxiliary_data": "yes"})}),
+        "doubles.nc": geographic.met3d(LON, LAT, PRESSURE, kind="d", version=5),
+    },
     "vtkTRXReaderEntries": {"entries": choose_entries(LINES, ARRAYS)},
     "vtkMRtrixTracksReader": {
         "float.tck": tractograms.tck(LINES),
