@@ -26,8 +26,7 @@
  * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
  * silhouette pixel and not measured.
  *
- * `tolerance` is in steps of 8 bits: 1, or 2 where VTK blends two layers into 8 bits and so rounds
- * twice.
+ * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice.
  */
 class ReferenceComparison
 {
