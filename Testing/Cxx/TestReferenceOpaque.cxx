@@ -253,9 +253,7 @@ int TestReferenceOpaque(int, char*[])
       [](Scene& s)
       {
         s.Renderer->GradientBackgroundOn();
-        // VTK interpolates between colours of 8 bits, which hold these exactly.
-        s.Renderer->SetBackground(0.2, 0.4, 0.6);
-        s.Renderer->SetBackground2(1.0, 0.8, 0.4);
+        s.Renderer->SetBackground2(0.9, 0.8, 0.3);
         s.Actor->VisibilityOff();
       } },
     { "far from the origin",
