@@ -3,6 +3,9 @@
 
 #include "vtkTrajectoryReaderFactory.h"
 
+#include "vtkLagrantoNetCDFReader.h"
+#include "vtkLagrantoReader.h"
+#include "vtkMet3DReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkTrajectoryReader.h"
@@ -24,7 +27,8 @@ vtkSmartPointer<vtkTrajectoryReader> Make()
 
 using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
 
-const std::vector<Maker> Makers = {};
+const std::vector<Maker> Makers = { Make<vtkMet3DReader>, Make<vtkLagrantoNetCDFReader>,
+  Make<vtkLagrantoReader> };
 }
 
 //------------------------------------------------------------------------------
