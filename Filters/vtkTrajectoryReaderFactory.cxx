@@ -5,9 +5,12 @@
 
 #include "vtkLagrantoNetCDFReader.h"
 #include "vtkLagrantoReader.h"
+#include "vtkMRtrixTracksReader.h"
 #include "vtkMet3DReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkTRXReader.h"
+#include "vtkTrackVisReader.h"
 #include "vtkTrajectoryReader.h"
 
 #include <vector>
@@ -27,8 +30,14 @@ vtkSmartPointer<vtkTrajectoryReader> Make()
 
 using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
 
-const std::vector<Maker> Makers = { Make<vtkMet3DReader>, Make<vtkLagrantoNetCDFReader>,
-  Make<vtkLagrantoReader> };
+const std::vector<Maker> Makers = {
+  &Make<vtkMet3DReader>,
+  &Make<vtkLagrantoNetCDFReader>,
+  &Make<vtkLagrantoReader>,
+  &Make<vtkMRtrixTracksReader>,
+  &Make<vtkTRXReader>,
+  &Make<vtkTrackVisReader>,
+};
 }
 
 //------------------------------------------------------------------------------
