@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTrajectorySegments.h"
+
+#include "Private/vtkArrayValues.h"
+#include "Private/vtkBatches.h"
+#include "Private/vtkPolylines.h"
+#include "Private/vtkUnsharedPoints.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkTrajectorySegments);
+
+namespace
+{
+// Lines that are worth a batch of their own.
+constexpr vtkIdType MinimumBatch = 1024;
+
+// Part of the progress that the lengths are.
+constexpr double MeasureProgress = 0.4;
+
+//------------------------------------------------------------------------------
+// Call visit(point id, length of the line up to that point) along a line, and return its length:
+// NaN if a coordinate is missing. Lengths never decrease; adding up block by block keeps the error
+// of 10^7 points near that of a thousand.
+template <typename Function>
+double WalkLine(
+  const vtkPolylines& lines, const vtkArrayValues& coordinates, vtkIdType line, Function&& visit)
+{
+  const vtkIdType begin = lines.GetBegin(line);
+  const vtkIdType end = lines.GetEnd(line);
+  double length = 0.0;
+  for (vtkIdType first = begin; first < end; first += vtkPolylines::BlockSize)
+  {
+    // With the point before, except at the line's begin, where that is the point itself.
+    vtkIdType ids[vtkPolylines::BlockSize + 1];
+    const vtkIdType count = std::min(vtkPolylines::BlockSize, end - first);
+    lines.CopyIds(first, first + count, ids + 1);
+    ids[0] = lines.GetId(std::max(first - 1, begin));
+    double x[3][vtkPolylines::BlockSize + 1];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      coordinates.Gather(ids, count + 1, axis, x[axis]);
+    }
+    double lengthOfBlock = 0.0;
+    for (vtkIdType i = 1; i <= count; ++i)
+    {
+      const double dx = x[0][i] - x[0][i - 1];
+      const double dy = x[1][i] - x[1][i - 1];
+      const double dz = x[2][i] - x[2][i - 1];
+      lengthOfBlock += std::sqrt(dx * dx + dy * dy + dz * dz);
+      visit(ids[i], length + lengthOfBlock);
+    }
+    length += lengthOfBlock;
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
+// The position of a point between the centres of segments.
+struct SegmentPosition
+{
+  vtkIdType Base = 0;
+  float Weight = 0.0F;
+
+  SegmentPosition(double length, double lengthOfLine, vtkIdType segments)
+  {
+    if (segments == 1) // the lengths may be 0 or missing
+    {
+      return;
+    }
+    const double last = static_cast<double>(segments - 1);
+    const double position =
+      std::clamp(length / lengthOfLine * static_cast<double>(segments) - 0.5, 0.0, last);
+    this->Base = static_cast<vtkIdType>(position);
+    this->Weight = static_cast<float>(position - static_cast<double>(this->Base));
+    if (this->Weight >= 1.0F) // by rounding
+    {
+      ++this->Base;
+      this->Weight = 0.0F;
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType count, typename Array::ValueType value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  vtkSMPTools::Fill(array->GetPointer(0), array->GetPointer(0) + count, value);
+  return array;
+}
+
+//------------------------------------------------------------------------------
+const vtkIdType* GetIds(vtkDataSetAttributes* data, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(data->GetArray(name))->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* GetCoordinates(vtkPolyData* data)
+{
+  return data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+double CountSegments(double length, double target)
+{
+  return target > 0.0 ? std::max(1.0, std::round(length / target)) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+// Throws if there were more segments than an int can number, which is what a shader has.
+void CheckTotal(const std::vector<double>& lengths, double target, vtkIdType verticesTotal)
+{
+  auto total = static_cast<double>(verticesTotal);
+  for (const double length : lengths)
+  {
+    total += CountSegments(length, target);
+  }
+  if (total > VTK_INT_MAX)
+  {
+    std::ostringstream message;
+    message << "Segments of length " << target << " would be " << total << ", but at most "
+            << VTK_INT_MAX << " are possible. Set a greater SegmentLength.";
+    throw std::invalid_argument(message.str());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->TotalNumberOfSegments = 0;
+  try
+  {
+    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES_AND_VERTICES));
+    std::vector<double> lengths(output->GetNumberOfLines());
+    // After an abort the executive empties the output.
+    if (this->MeasureLines(output, lengths))
+    {
+      this->NumberSegments(lengths, output);
+      this->PlacePoints(lengths, output);
+    }
+    return 1;
+  }
+  catch (const std::logic_error& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectorySegments::MeasureLines(vtkPolyData* output, std::vector<double>& lengths)
+{
+  const vtkPolylines lines(output->GetLines());
+  const vtkArrayValues coordinates(GetCoordinates(output));
+  const auto measure = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType line = first; line < last; ++line)
+    {
+      const double length = WalkLine(lines, coordinates, line, [](vtkIdType, double) {});
+      lengths[line] = std::isnan(length) ? 0.0 : length;
+    }
+  };
+  return vtkBatches(this, 0.0, MeasureProgress)
+    .ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectorySegments::NumberSegments(const std::vector<double>& lengths, vtkPolyData* output)
+{
+  const vtkIdType cellCount = output->GetNumberOfCells();
+  const auto firsts = MakeArray<vtkIdTypeArray>("FirstSegment", cellCount, -1);
+  const auto counts = MakeArray<vtkIdTypeArray>("NumberOfSegments", cellCount, 0);
+  // The cells of a poly data are numbered from the vertices on, then the lines.
+  vtkIdType cell = 0;
+  vtkIdType total = 0;
+  const auto number = [&](vtkIdType count)
+  {
+    firsts->SetValue(cell, total);
+    counts->SetValue(cell, count);
+    total += count;
+    ++cell;
+  };
+  const vtkPolylines vertices(output->GetVerts());
+  for (vtkIdType i = 0; i < vertices.GetNumberOfLines(); ++i)
+  {
+    number(vertices.GetEnd(i) - vertices.GetBegin(i));
+  }
+  const double lengthOfAll = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const double target = this->SegmentLength > 0.0
+    ? this->SegmentLength
+    : lengthOfAll / static_cast<double>(this->NumberOfSegments);
+  CheckTotal(lengths, target, total);
+  const vtkPolylines lines(output->GetLines());
+  for (vtkIdType line = 0; line < lines.GetNumberOfLines(); ++line)
+  {
+    const bool hasPoints = lines.GetBegin(line) < lines.GetEnd(line);
+    number(hasPoints ? static_cast<vtkIdType>(CountSegments(lengths[line], target)) : 0);
+  }
+
+  const auto totals = MakeArray<vtkIdTypeArray>("TotalNumberOfSegments", 1, total);
+  output->GetCellData()->AddArray(firsts);
+  output->GetCellData()->AddArray(counts);
+  output->GetFieldData()->AddArray(totals);
+  this->TotalNumberOfSegments = total;
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectorySegments::PlacePoints(const std::vector<double>& lengths, vtkPolyData* output)
+{
+  const auto bases =
+    MakeArray<vtkIdTypeArray>("SegmentBase", output->GetNumberOfPoints(), vtkIdType(-1));
+  const auto weights = MakeArray<vtkFloatArray>("SegmentWeight", output->GetNumberOfPoints(), 0.0F);
+  output->GetPointData()->AddArray(bases);
+  output->GetPointData()->AddArray(weights);
+
+  const vtkPolylines vertices(output->GetVerts());
+  for (vtkIdType position = 0; position < vertices.GetNumberOfPositions(); ++position)
+  {
+    bases->SetValue(vertices.GetId(position), position);
+  }
+
+  const vtkPolylines lines(output->GetLines());
+  const vtkArrayValues coordinates(GetCoordinates(output));
+  const vtkIdType firstCell = vertices.GetNumberOfLines();
+  const vtkIdType* firsts = GetIds(output->GetCellData(), "FirstSegment") + firstCell;
+  const vtkIdType* counts = GetIds(output->GetCellData(), "NumberOfSegments") + firstCell;
+  const auto place = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType line = first; line < last; ++line)
+    {
+      WalkLine(lines, coordinates, line,
+        [&](vtkIdType id, double length)
+        {
+          const SegmentPosition position(length, lengths[line], counts[line]);
+          bases->SetValue(id, firsts[line] + position.Base);
+          weights->SetValue(id, position.Weight);
+        });
+    }
+  };
+  vtkBatches(this, MeasureProgress, 1.0).ParallelFor(lines.GetNumberOfLines(), place, MinimumBatch);
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectorySegments::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSegments: " << this->NumberOfSegments << "\n";
+  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
+  os << indent << "TotalNumberOfSegments: " << this->TotalNumberOfSegments << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * vtkTrajectorySegments: counts in proportion to length, weights against an interpolation that is
+ * written down plainly, lines of every degenerate kind, ids beyond 2^24, vertices, surfaces, shared
+ * points, errors, progress, abort, and the same bits with any number of threads.
+ */
+
+#include "ReferenceTesting.h"
+#include "TrajectoryTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkTrajectorySegments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/** What the filter made of a point or a cell. */
+struct Result
+{
+  explicit Result(vtkPolyData* data)
+    : Data(data)
+  {
+  }
+
+  vtkIdType Base(vtkIdType point) const
+  {
+    return this->Get(this->Data->GetPointData(), "SegmentBase", point);
+  }
+  vtkIdType First(vtkIdType cell) const
+  {
+    return this->Get(this->Data->GetCellData(), "FirstSegment", cell);
+  }
+  vtkIdType Count(vtkIdType cell) const
+  {
+    return this->Get(this->Data->GetCellData(), "NumberOfSegments", cell);
+  }
+  double Weight(vtkIdType point) const
+  {
+    return this->Data->GetPointData()->GetArray("SegmentWeight")->GetTuple1(point);
+  }
+
+private:
+  static vtkIdType Get(vtkFieldData* data, const char* name, vtkIdType i)
+  {
+    return vtkIdTypeArray::SafeDownCast(data->GetArray(name))->GetValue(i);
+  }
+
+  vtkPolyData* Data;
+};
+
+double GetLength(const Trajectory& line)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(line[i - 1].data(), line[i].data()));
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
+// Interpolates a value that is different at each segment, in the middle of it, in two ways.
+void TestWeights(Checks& checks)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Trajectory> lines;
+  double lengthOfAll = 0.0;
+  for (int line = 0; line < 60; ++line)
+  {
+    TrajectoryPoint position = { 6.4e6, 0.0, 0.0 };
+    lines.push_back({ position });
+    for (int i = 0; i < line * line; ++i)
+    {
+      for (double& coordinate : position)
+      {
+        coordinate += i % 7 == 0 ? 0.0 : uniform(random) - 0.5;
+      }
+      lines.back().push_back(position);
+    }
+    lengthOfAll += GetLength(lines.back());
+  }
+  for (const vtkIdType wanted : { 1, 100, 5000, 1000000 })
+  {
+    vtkNew<vtkTrajectorySegments> filter;
+    filter->SetInputData(MakeTrajectories(lines));
+    filter->SetNumberOfSegments(wanted);
+    filter->Update();
+    const Result result(filter->GetOutput());
+    const double target = lengthOfAll / static_cast<double>(wanted);
+    vtkIdType total = 0;
+    vtkIdType point = 0;
+    int wrong = 0;
+    for (std::size_t line = 0; line < lines.size(); ++line)
+    {
+      const auto cell = static_cast<vtkIdType>(line);
+      const double length = GetLength(lines[line]);
+      const vtkIdType count = result.Count(cell);
+      const double exact = length / target;
+      checks.True("a line's segments are near the target length",
+        exact < 1.0 ? count == 1 : std::abs(static_cast<double>(count) - exact) <= 0.5 + 1e-6);
+      checks.True("segments are numbered along the lines", result.First(cell) == total);
+      std::vector<double> values(count);
+      std::generate(values.begin(), values.end(), [&]() { return uniform(random); });
+      Trajectory sofar;
+      double previous = -1.0;
+      for (const TrajectoryPoint& position : lines[line])
+      {
+        sofar.push_back(position);
+        const double where = count == 1
+          ? 0.0
+          : std::clamp(GetLength(sofar) * static_cast<double>(count) / length - 0.5, 0.0,
+              static_cast<double>(count - 1));
+        const auto below = std::min<vtkIdType>(static_cast<vtkIdType>(where), count - 1);
+        const auto above = std::min<vtkIdType>(below + 1, count - 1);
+        const double expected =
+          values[below] + (where - static_cast<double>(below)) * (values[above] - values[below]);
+
+        const vtkIdType base = result.Base(point) - total;
+        const double weight = result.Weight(point);
+        const bool inside = base >= 0 && base < count && weight >= 0.0 && weight < 1.0 &&
+          (weight == 0.0 || base + 1 < count);
+        const double found = !inside ? -1.0
+          : weight > 0.0             ? (1.0 - weight) * values[base] + weight * values[base + 1]
+                                     : values[base];
+        const double along = static_cast<double>(base) + weight;
+        wrong += !(std::abs(found - expected) < 1e-5) || along < previous;
+        previous = along;
+        ++point;
+        if (sofar.size() > 200) // enough of the long lines
+        {
+          point += static_cast<vtkIdType>(lines[line].size() - sofar.size());
+          break;
+        }
+      }
+      total += count;
+    }
+    checks.Near("wrong weights of " + std::to_string(wanted) + " segments", wrong, 0, 0);
+    checks.True("the total is known",
+      filter->GetTotalNumberOfSegments() == total &&
+        filter->GetOutput()->GetFieldData()->GetArray("TotalNumberOfSegments")->GetTuple1(0) ==
+          total);
+    checks.True("about as many as wanted",
+      std::abs(static_cast<double>(total - wanted)) <= static_cast<double>(lines.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestSpecialCells(Checks& checks)
+{
+  const auto data = MakeTrajectories({
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 4, 0, 0 } },              // 0 to 2
+    { { 5, 5, 5 } },                                        // 3
+    { { 6, 6, 6 }, { 6, 6, 6 } },                           // 4, 5
+    { { 0, 0, 0 }, { MissingValue, 0, 0 }, { 100, 0, 0 } }, // 6 to 8
+    { { 0, 1, 0 }, { 2, 1, 0 } },                           // 9, 10
+  });
+  for (int i = 0; i < 3; ++i)
+  {
+    data->GetPoints()->InsertNextPoint(i, i, i); // 11 to 13
+  }
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 11, 12 });
+  vertices->InsertNextCell({ 0 }); // shared with a line
+  data->SetVerts(vertices);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 3, 4, 5 });
+  data->SetPolys(polygons);
+  data->GetLines()->InsertNextCell(0);
+  data->GetLines()->InsertNextCell({ 13, 9, 13 }); // 15, 16 are copies
+
+  vtkNew<vtkTrajectorySegments> filter;
+  filter->SetInputData(data);
+  filter->SetSegmentLength(1.0);
+  filter->Update();
+  const Result result(filter->GetOutput());
+  // Cells: two of vertices, the lines, the polygon.
+  const std::vector<vtkIdType> counts = { 2, 1, 4, 1, 1, 1, 2, 0 };
+  vtkIdType total = 0;
+  for (std::size_t cell = 0; cell < counts.size(); ++cell)
+  {
+    const auto id = static_cast<vtkIdType>(cell);
+    checks.Near("segments of cell " + std::to_string(cell), result.Count(id), counts[cell], 0);
+    checks.Near("first segment of cell " + std::to_string(cell), result.First(id), total, 0);
+    total += counts[cell];
+  }
+  checks.True("surfaces have no segments", result.Count(9) == 0 && result.First(9) == -1);
+  const std::vector<vtkIdType> bases = { 3, 3, 6, 7, 8, 8, 9, 9, 9, 10, 11, 0, 1 };
+  for (std::size_t i = 0; i < bases.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    checks.Near("base of point " + std::to_string(i), result.Base(id), bases[i], 0);
+    checks.Near("weight of point " + std::to_string(i), result.Weight(id), i == 1 ? 0.5 : 0.0, 0);
+  }
+  vtkPolyData* output = filter->GetOutput();
+  checks.Near("points with copies", output->GetNumberOfPoints(), 17, 0);
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  output->GetVerts()->GetCellAtId(1, size, ids);
+  checks.True("a vertex on a line is a segment of its own",
+    ids[0] == 16 && result.Base(16) == 2 && result.Weight(16) == 0.0);
+  checks.Near(
+    "all segments", filter->GetTotalNumberOfSegments(), result.First(8) + result.Count(8), 0);
+}
+
+//------------------------------------------------------------------------------
+void TestLimits(Checks& checks)
+{
+  // Two segments meet beyond 2^24 and are told apart.
+  vtkNew<vtkTrajectorySegments> filter;
+  filter->SetInputData(MakeTrajectories({ { { 0, 0, 0 }, { 1e8, 0, 0 } },
+    { { 0, 0, 0 }, { 1.25, 0, 0 }, { 1.75, 0, 0 }, { 2, 0, 0 } } }));
+  filter->SetSegmentLength(1.0);
+  filter->Update();
+  const Result result(filter->GetOutput());
+  checks.True("bases are exact",
+    result.Base(1) == 99999999 && result.Base(3) == 100000000 && result.Base(4) == 100000001 &&
+      result.Base(5) == 100000001);
+  checks.True("weights are exact",
+    result.Weight(1) == 0.0 && result.Weight(3) == 0.75 && result.Weight(4) == 0.0);
+
+  filter->SetSegmentLength(1e-3);
+  const std::string message = GetUpdateErrors(filter);
+  checks.True("too many segments: " + message,
+    Contains(message,
+      "Segments of length 0.001 would be 1e+11, but at most 2147483647 are possible. Set a greater "
+      "SegmentLength.") &&
+      filter->GetTotalNumberOfSegments() == 0);
+  filter->SetSegmentLength(1e-300);
+  checks.True("far too many segments", Contains(GetUpdateErrors(filter), "are possible"));
+  filter->SetSegmentLength(1.0);
+
+  const auto broken = MakeTrajectories({ { { 0, 0, 0 }, { 1, 0, 0 } } });
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ -1 });
+  broken->SetVerts(vertices);
+  filter->SetInputData(broken);
+  checks.True("a point that does not exist",
+    Contains(GetUpdateErrors(filter),
+      "Vertex cell 0 uses the point -1, but the input has the points 0 to 1."));
+
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  checks.True("an empty input is no error",
+    GetUpdateErrors(filter).empty() && filter->GetTotalNumberOfSegments() == 0);
+}
+
+//------------------------------------------------------------------------------
+void TestPipeline(Checks& checks)
+{
+  std::mt19937 random(9);
+  std::vector<Trajectory> lines;
+  for (int line = 0; line < 3000; ++line)
+  {
+    lines.push_back(MakeRandomWalk(line % 100, random));
+  }
+  lines.push_back(Trajectory(1000001));
+  for (std::size_t i = 0; i < lines.back().size(); ++i)
+  {
+    lines.back()[i] = { 0.1 * static_cast<double>(i), 0.0, 0.0 };
+  }
+  vtkNew<vtkTrajectorySegments> filter;
+  filter->SetInputData(MakeTrajectories(lines));
+  filter->SetSegmentLength(1e5);
+  filter->Update();
+  const Result result(filter->GetOutput());
+  checks.Near("a long line is as long as its parts", result.Count(3000), 1, 0);
+  filter->SetSegmentLength(1e-2);
+  filter->Update();
+  checks.Near("a long line is as long as its parts", result.Count(3000), 10000000, 0);
+
+  filter->SetSegmentLength(0.0);
+  UpdateWithThreads(filter, 1);
+  vtkNew<vtkPolyData> ofOneThread;
+  ofOneThread->ShallowCopy(filter->GetOutput());
+  for (const int threads : { 2, 3 })
+  {
+    UpdateWithThreads(filter, threads);
+    checks.True("same bits",
+      HaveSameBits(filter->GetOutput()->GetPointData(), ofOneThread->GetPointData()) &&
+        HaveSameBits(filter->GetOutput()->GetCellData(), ofOneThread->GetCellData()));
+  }
+  const std::vector<double> progress = GetProgress(filter, false);
+  checks.True("progress goes from 0 to 1",
+    progress.size() > 5 && progress.front() == 0.0 && progress.back() == 1.0 &&
+      std::is_sorted(progress.begin(), progress.end()));
+  const std::vector<double> aborted = GetProgress(filter, true);
+  checks.True("an abort stops the work, and leaves nothing half done",
+    aborted.size() <= 2 && filter->GetOutput()->GetNumberOfPoints() == 0);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestTrajectorySegments(int, char*[])
+{
+  Checks checks;
+  TestWeights(checks);
+  TestSpecialCells(checks);
+  TestLimits(checks);
+  TestPipeline(checks);
+  return checks.Result();
+}
