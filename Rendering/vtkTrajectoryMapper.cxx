@@ -12,6 +12,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolygonPartMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -20,6 +21,8 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTrajectoryColors.h"
 #include "vtkTrajectoryNodes.h"
+#include "vtkTrajectoryOpacities.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
@@ -53,6 +56,20 @@ void EncodePixel(unsigned char* buffer, unsigned int pixel, vtkIdType value)
   }
 }
 
+// When each part of some data that nodes and polygons are made of has changed. Other arrays do not
+// matter: while only they change, the geometry stays in the graphics memory.
+using GeometryTimes = std::array<vtkMTimeType, 7>;
+
+GeometryTimes GetGeometryTimes(vtkPolyData* data, const std::string& radiusArray, bool generated)
+{
+  vtkDataArray* radii =
+    radiusArray.empty() ? nullptr : data->GetPointData()->GetArray(radiusArray.c_str());
+  // A filter marks its whole output at each execution, also where it passes points and cells on.
+  return { { generated ? 0 : data->vtkObject::GetMTime(), data->GetPoints()->GetMTime(),
+    data->GetVerts()->GetMTime(), data->GetLines()->GetMTime(), data->GetPolys()->GetMTime(),
+    data->GetStrips()->GetMTime(), radii ? radii->GetMTime() : 0 } };
+}
+
 std::array<unsigned char, 4> GetPlainColor(vtkProperty* property)
 {
   const double* color = property->GetColor();
@@ -80,7 +97,7 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor);
   void ReleaseGraphicsResources(vtkWindow* window);
   void ReleaseFromWindow();
-  bool HasTranslucentColors();
+  bool IsTranslucent() const;
   vtkBoundingBox GetBounds();
   void Select(
     vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
@@ -98,20 +115,23 @@ private:
   struct NodesKey
   {
     std::vector<std::pair<vtkPolyData*, unsigned int>> Leaves; // with their flat indices
-    vtkMTimeType Time = 0;
+    std::vector<GeometryTimes> Times;                          // of each leaf
     double Radius = -1.0;
     std::string RadiusArray;
 
     bool operator==(const NodesKey& other) const
     {
-      return this->Leaves == other.Leaves && this->Time == other.Time &&
+      return this->Leaves == other.Leaves && this->Times == other.Times &&
         this->Radius == other.Radius && this->RadiusArray == other.RadiusArray;
     }
   };
 
   std::vector<vtkTrajectoryNodes::Leaf> FindLeaves() const;
+  vtkTrajectoryOpacities GetOpacities() const;
+  bool HasTranslucentColors(vtkPolyData* data) const;
   vtkMTimeType GetAppearanceTime(vtkActor* actor) const;
   void UpdateAppearance(vtkActor* actor);
+  void UpdateOpacities();
   void RenderPart(
     vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor);
   void SelectCones(vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels) const;
@@ -123,6 +143,7 @@ private:
   vtkMTimeType AppearanceTime = 0;
   vtkProperty* AppearanceProperty = nullptr; // compared, never used
   bool UsesPropertyColor = false;
+  std::vector<vtkMTimeType> OpacityTimes;
   vtkWeakPointer<vtkWindow> Window;
 };
 
@@ -159,13 +180,15 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
 {
   std::vector<vtkTrajectoryNodes::Leaf> leaves = this->FindLeaves();
   NodesKey key;
+  key.Radius = this->Owner->GetRadius();
+  key.RadiusArray = this->Owner->GetRadiusArray() ? this->Owner->GetRadiusArray() : "";
+  const bool generated = this->Owner->GetNumberOfInputConnections(0) > 0 &&
+    !vtkTrivialProducer::SafeDownCast(this->Owner->GetInputAlgorithm());
   for (const auto& leaf : leaves)
   {
     key.Leaves.emplace_back(leaf.Data, leaf.FlatIndex);
-    key.Time = std::max(key.Time, leaf.Data->GetMTime());
+    key.Times.push_back(GetGeometryTimes(leaf.Data, key.RadiusArray, generated));
   }
-  key.Radius = this->Owner->GetRadius();
-  key.RadiusArray = this->Owner->GetRadiusArray() ? this->Owner->GetRadiusArray() : "";
   if (key == this->Key)
   {
     return;
@@ -173,6 +196,7 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
   this->Nodes.Build(std::move(leaves), key.Radius, key.RadiusArray);
   this->Key = std::move(key);
   this->AppearanceTime = 0;
+  this->OpacityTimes.clear();
   this->Cones->SetNodes(&this->Nodes);
   if (this->Nodes.GetNumberOfBadRadiusArrays() > 0)
   {
@@ -204,7 +228,11 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkTrajectoryMapper::Parts::GetAppearanceTime(vtkActor* actor) const
 {
-  const vtkMTimeType time = this->Owner->GetMTime();
+  vtkMTimeType time = this->Owner->GetMTime();
+  for (const auto& leaf : this->Nodes.GetLeaves())
+  {
+    time = std::max(time, leaf.Data->GetMTime());
+  }
   return this->UsesPropertyColor ? std::max(time, actor->GetProperty()->GetMTime()) : time;
 }
 
@@ -248,6 +276,38 @@ void vtkTrajectoryMapper::Parts::UpdateAppearance(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+vtkTrajectoryOpacities vtkTrajectoryMapper::Parts::GetOpacities() const
+{
+  return vtkTrajectoryOpacities(
+    this->Owner->GetOpacityArray() ? this->Owner->GetOpacityArray() : "");
+}
+
+//------------------------------------------------------------------------------
+void vtkTrajectoryMapper::Parts::UpdateOpacities()
+{
+  const auto& leaves = this->Nodes.GetLeaves();
+  const vtkTrajectoryOpacities opacities = this->GetOpacities();
+  std::vector<vtkMTimeType> times = opacities.GetTimes(leaves);
+  if (times == this->OpacityTimes)
+  {
+    return;
+  }
+  this->OpacityTimes = std::move(times);
+  this->Cones->SetOpacities(opacities.GetNodeFactors(this->Nodes));
+  for (const auto& part : this->Polygons)
+  {
+    part->Mapper->SetPointOpacities(opacities.GetPointFactors(leaves[part->Leaf].Data));
+  }
+  if (std::any_of(leaves.begin(), leaves.end(),
+        [&opacities](const auto& leaf) { return opacities.IsBad(leaf.Data); }))
+  {
+    vtkWarningWithObjectMacro(this->Owner,
+      "The opacity array '" << this->Owner->GetOpacityArray()
+                            << "' is not used: expected one component and a value for each point.");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTrajectoryMapper::Parts::RenderPart(
   vtkPolyDataMapper* part, unsigned int index, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -265,6 +325,7 @@ void vtkTrajectoryMapper::Parts::Render(vtkRenderer* renderer, vtkActor* actor)
   this->Window = renderer->GetRenderWindow();
   this->UpdateNodes();
   this->UpdateAppearance(actor);
+  this->UpdateOpacities();
 
   vtkHardwareSelector* selector = renderer->GetSelector();
   if (selector)
@@ -314,35 +375,37 @@ void vtkTrajectoryMapper::Parts::ReleaseFromWindow()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTrajectoryMapper::Parts::HasTranslucentColors()
+bool vtkTrajectoryMapper::Parts::HasTranslucentColors(vtkPolyData* data) const
 {
   vtkTrajectoryMapper* owner = this->Owner;
   if (!owner->GetScalarVisibility())
   {
     return false;
   }
-  for (const auto& leaf : this->FindLeaves())
+  int cellFlag = 0;
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, owner->GetScalarMode(),
+    owner->GetArrayAccessMode(), owner->GetArrayId(), owner->GetArrayName(), cellFlag);
+  if (!scalars)
   {
-    int cellFlag = 0;
-    vtkAbstractArray* scalars =
-      vtkAbstractMapper::GetAbstractScalars(leaf.Data, owner->GetScalarMode(),
-        owner->GetArrayAccessMode(), owner->GetArrayId(), owner->GetArrayName(), cellFlag);
-    if (!scalars)
-    {
-      continue;
-    }
-    unsigned char ghostsToSkip = 0;
-    vtkUnsignedCharArray* ghosts =
-      vtkAbstractMapper::GetGhostArray(leaf.Data, owner->GetScalarMode(), ghostsToSkip);
-    vtkScalarsToColors* table = owner->GetLookupTable();
-    table->Build();
-    if (!table->IsOpaque(
-          scalars, owner->GetColorMode(), owner->GetArrayComponent(), ghosts, ghostsToSkip))
-    {
-      return true;
-    }
+    return false;
   }
-  return false;
+  unsigned char ghostsToSkip = 0;
+  vtkUnsignedCharArray* ghosts =
+    vtkAbstractMapper::GetGhostArray(data, owner->GetScalarMode(), ghostsToSkip);
+  vtkScalarsToColors* table = owner->GetLookupTable();
+  table->Build();
+  return !table->IsOpaque(
+    scalars, owner->GetColorMode(), owner->GetArrayComponent(), ghosts, ghostsToSkip);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectoryMapper::Parts::IsTranslucent() const
+{
+  const vtkTrajectoryOpacities opacities = this->GetOpacities();
+  const auto leaves = this->FindLeaves();
+  return std::any_of(leaves.begin(), leaves.end(),
+    [&](const auto& leaf)
+    { return opacities.IsTranslucent(leaf.Data) || this->HasTranslucentColors(leaf.Data); });
 }
 
 //------------------------------------------------------------------------------
@@ -453,6 +516,7 @@ vtkTrajectoryMapper::~vtkTrajectoryMapper()
   // the one whose context is current.
   this->Drawing->ReleaseFromWindow();
   this->SetRadiusArray(nullptr);
+  this->SetOpacityArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -507,7 +571,7 @@ void vtkTrajectoryMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 bool vtkTrajectoryMapper::HasTranslucentPolygonalGeometry()
 {
-  return this->Drawing->HasTranslucentColors();
+  return this->Drawing->IsTranslucent();
 }
 
 //------------------------------------------------------------------------------
@@ -524,6 +588,7 @@ void vtkTrajectoryMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetRadius(other->GetRadius());
     this->SetRadiusArray(other->GetRadiusArray());
+    this->SetOpacityArray(other->GetOpacityArray());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -534,6 +599,7 @@ void vtkTrajectoryMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
+  os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -33,8 +33,8 @@
  * colour by take the colour of the actor's property; where InterpolateScalarsBeforeMapping is on,
  * they and leaves with direct colours take that of NaN.
  *
- * Cost: 16 bytes of graphics memory for a point and 4 for its colour. Work on the CPU happens only
- * when the data, radii or colours change.
+ * Cost: 16 bytes of graphics memory for a point, 4 for its colour and 4 for its factor of opacity.
+ * Work on the CPU happens only when the data, radii, colours or opacities change.
  *
  * @sa vtkExactTransparencyPass vtkTubeFilter vtkPolyDataMapper
  */
@@ -76,6 +76,20 @@ public:
   vtkGetStringMacro(RadiusArray);
   ///@}
 
+  ///@{
+  /**
+   * Name of a point array with one component that holds factors in [0,1] on the opacity of colour
+   * map and property: 1 keeps it, 0 draws nothing. They are linear from ball to ball, as colours
+   * are, and on polygons and strips. Values outside are clamped; NaN, and data that lacks the
+   * array, count as 1. An array of several components is not used, with one warning. With a factor
+   * below 1 the actor is translucent. Importance as factors fades the context and keeps relevant
+   * lines opaque (M. Bandle, Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D,
+   * 2016, section 3.3.1). Default: none, at no cost.
+   */
+  vtkSetStringMacro(OpacityArray);
+  vtkGetStringMacro(OpacityArray);
+  ///@}
+
   /** The constant radius in use: Radius, or the automatic one. Updates the input. */
   double GetEffectiveRadius();
 
@@ -102,6 +116,7 @@ private:
 
   double Radius = 0.0;
   char* RadiusArray = nullptr;
+  char* OpacityArray = nullptr;
 
   class Parts;
   std::unique_ptr<Parts> Drawing;

@@ -186,8 +186,11 @@ private:
       normal = this->TowardsViewer(
         glm::normalize(glm::cross(b.position - a.position, c.position - a.position)), position);
     }
-    this->AddFragment(
-      surface, hit.frontFacing, blend(a.color, b.color, c.color), position, normal, depth, pixel);
+    // Equal factors stay the same to the last bit, though weights need not add up to 1.
+    const Real opacity =
+      a.opacity + hit.weights.y * (b.opacity - a.opacity) + hit.weights.z * (c.opacity - a.opacity);
+    this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color), opacity, position,
+      normal, depth, pixel);
   }
 
   Vector3<Real> TowardsViewer(const Vector3<Real>& normal, const Vector3<Real>& position) const
@@ -203,11 +206,11 @@ private:
   }
 
   void AddFragment(const Surface<Real>& surface, bool frontFacing, const Vector4<Real>& attribute,
-    const Vector3<Real>& position, const Vector3<Real>& normal, Real depth,
+    Real opacity, const Vector3<Real>& position, const Vector3<Real>& normal, Real depth,
     PixelFragments<Real>& pixel) const
   {
     Material<Real> material = frontFacing ? surface.front : surface.back;
-    Real alpha = material.opacity;
+    Real alpha = opacity * material.opacity;
     if (surface.colorSource != ColorSource::Material)
     {
       const Vector4<Real> color = surface.colorSource == ColorSource::Table
@@ -389,10 +392,12 @@ private:
     const Vector3<Real> position = ray.At(hit.t);
     const Vector3<Real> normal =
       RoundedConeNormal(this->Cone(piece), position, hit.axis) * static_cast<Real>(side);
-    const Vector4<Real> color = glm::mix(this->Input.tubePoints[piece.first].color,
-      this->Input.tubePoints[piece.last].color, hit.axis);
+    const auto& first = this->Input.tubePoints[piece.first];
+    const auto& last = this->Input.tubePoints[piece.last];
+    const Vector4<Real> color = glm::mix(first.color, last.color, hit.axis);
+    const Real opacity = first.opacity + hit.axis * (last.opacity - first.opacity);
     const Real depth = View<Real>::WindowDepth(this->Input.view.ClipCoordinates(position));
-    this->AddFragment(this->Input.surfaces[piece.surface], true, color, position, normal,
+    this->AddFragment(this->Input.surfaces[piece.surface], true, color, opacity, position, normal,
       glm::clamp(depth, Real(0), Real(1)), pixel);
   }
 

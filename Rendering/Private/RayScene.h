@@ -116,6 +116,7 @@ struct Vertex
   Vector3<Real> position{ Real(0) };
   Vector3<Real> normal{ Real(0) };
   Vector4<Real> color{ Real(1) };
+  Real opacity = 1; ///< a factor, interpolated
 };
 
 struct Triangle
@@ -131,6 +132,7 @@ struct TubePoint
   Vector3<Real> position{ Real(0) };
   Real radius = 0;
   Vector4<Real> color{ Real(1) };
+  Real opacity = 1; ///< a factor, interpolated
 };
 
 /**

@@ -11,7 +11,9 @@
 #ifndef vtkPolygonPartMapper_h
 #define vtkPolygonPartMapper_h
 
+#include "vtkFloatArray.h" // for the opacities
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for the opacities
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -21,16 +23,24 @@ public:
   static vtkPolygonPartMapper* New();
   vtkTypeMacro(vtkPolygonPartMapper, vtkOpenGLPolyDataMapper);
 
+  /** Multiply the opacity by the factor of each point, linear on triangles; null: no factors. */
+  void SetPointOpacities(vtkFloatArray* factors);
+
 protected:
   vtkPolygonPartMapper() = default;
   ~vtkPolygonPartMapper() override = default;
 
   void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderColor(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
   vtkPolygonPartMapper(const vtkPolygonPartMapper&) = delete;
   void operator=(const vtkPolygonPartMapper&) = delete;
+
+  vtkSmartPointer<vtkFloatArray> PointOpacities;
 };
 
 VTK_ABI_NAMESPACE_END

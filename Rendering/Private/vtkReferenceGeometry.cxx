@@ -138,6 +138,27 @@ private:
   vtkIdType OneTuple = -1;
 };
 
+/** The factors on the opacity at the points of one data set: 1 where there is no number. */
+class DataOpacities
+{
+public:
+  DataOpacities(const vtkReferenceTarget& target, vtkPolyData* data)
+  {
+    vtkDataArray* array =
+      target.opacityArray ? data->GetPointData()->GetArray(target.opacityArray) : nullptr;
+    this->Factors = array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+  }
+
+  double Get(vtkIdType point) const
+  {
+    const double factor = this->Factors ? this->Factors->GetComponent(point, 0) : 1.0;
+    return factor < 0.0 ? 0.0 : factor < 1.0 ? factor : 1.0;
+  }
+
+private:
+  vtkDataArray* Factors;
+};
+
 std::uint32_t AddSurface(pellucid::Scene<double>& scene, const pellucid::Surface<double>& surface)
 {
   scene.surfaces.push_back(surface);
@@ -167,6 +188,7 @@ public:
     : Scene(target.scene)
     , Data(data)
     , Surface(surface)
+    , Opacities(target, data)
   {
     // vtkOpenGLPolyDataMapper ignores the normals of points for flat interpolation only.
     if (target.property->GetInterpolation() != VTK_FLAT)
@@ -201,6 +223,7 @@ public:
         vertex.normal = normalToView * glm::make_vec3(normal);
       }
       vertex.color = color(point, cell);
+      vertex.opacity = this->Opacities.Get(point);
       return vertex;
     };
     for (vtkIdType point = 0; shared && point < this->Data->GetNumberOfPoints(); ++point)
@@ -257,6 +280,7 @@ private:
   pellucid::Scene<double>& Scene;
   vtkPolyData* Data;
   std::uint32_t Surface;
+  DataOpacities Opacities;
   vtkDataArray* PointNormals = nullptr;
   vtkDataArray* CellNormals = nullptr;
 };
@@ -457,13 +481,15 @@ vtkReferenceRejects vtkAddReferenceTrajectories(
 
   vtkDataArray* radii =
     radiusArray && *radiusArray ? data->GetPointData()->GetArray(radiusArray) : nullptr;
+  const DataOpacities opacities(target, data);
   const auto makePoint = [&](vtkIdType point, vtkIdType cell)
   {
     double position[3];
     data->GetPoint(point, position);
-    return pellucid::TubePoint<double>{ Vec3(
-                                          target.modelToView * Vec4(glm::make_vec3(position), 1.0)),
-      radii ? radii->GetComponent(point, 0) : radius, colors.Get(point, cell) };
+    return pellucid::TubePoint<double>{
+      Vec3(target.modelToView * Vec4(glm::make_vec3(position), 1.0)),
+      radii ? radii->GetComponent(point, 0) : radius, colors.Get(point, cell), opacities.Get(point)
+    };
   };
   ForEachCell(data->GetVerts(), 0,
     [&](vtkIdType count, const vtkIdType* points, vtkIdType cell)

@@ -28,6 +28,7 @@ struct vtkReferenceTarget
   vtkProperty* property;
   pellucid::Surface<double> surface; ///< all but its colour source, which depends on the data
   glm::dmat4 modelToView;
+  const char* opacityArray = nullptr; ///< name of a point array of factors on the opacity
 };
 
 /** What of the data cannot be drawn. */
@@ -67,7 +68,8 @@ vtkReferenceRejects vtkAddReferencePolygons(vtkReferenceTarget& target, vtkPolyD
 /**
  * Add lines as tubes and vertices as spheres, of the radii in the point array `radiusArray` or, if
  * there is no such array, all of `radius`; world units. Polygons and strips are added too. The
- * matrix of the actor moves the points; radii are not scaled by it.
+ * matrix of the actor moves the points; radii are not scaled by it. The opacity array of the target
+ * applies to all of these.
  */
 vtkReferenceRejects vtkAddReferenceTrajectories(
   vtkReferenceTarget& target, vtkPolyData* data, double radius, const char* radiusArray);

@@ -275,7 +275,7 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
 
   mapper->Update();
   vtkReferenceTarget target{ this->Scene, mapper, property, this->MakeSurface(actor, mapper),
-    this->WorldToView * ToMatrix(modelToWorld) };
+    this->WorldToView * ToMatrix(modelToWorld), nullptr };
   vtkReferenceRejects rejects;
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
@@ -285,6 +285,7 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
   else if (auto* trajectories = vtkTrajectoryMapper::SafeDownCast(mapper))
   {
     const double radius = trajectories->GetEffectiveRadius();
+    target.opacityArray = trajectories->GetOpacityArray();
     vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
       [&](vtkPolyData* data) {
         rejects +=

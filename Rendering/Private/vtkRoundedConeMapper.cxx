@@ -18,6 +18,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkShaderEdit.h"
 #include "vtkShaderProgram.h"
 
 #include "vtkRoundedConeDecFS.h"
@@ -43,28 +44,48 @@ constexpr vtkIdType QuadsPerDraw = 65536;
 // VTK's own limit; the array in the shader also holds the near plane.
 constexpr int MaximumClippingPlanes = 6;
 
-// A shader source that substitutes as vtkShaderProgram does, and is stored back when it goes.
-class ShaderEdit
+// A value of each node, in some components of a buffer texture.
+struct NodeValue
 {
-public:
-  explicit ShaderEdit(vtkShader* shader)
-    : Shader(shader)
-    , Source(shader->GetSource())
-  {
-  }
-  ~ShaderEdit() { this->Shader->SetSource(this->Source); }
-  ShaderEdit(const ShaderEdit&) = delete;
-  void operator=(const ShaderEdit&) = delete;
-
-  void Replace(const std::string& tag, const std::string& code)
-  {
-    vtkShaderProgram::Substitute(this->Source, tag, code, false);
-  }
-
-private:
-  vtkShader* Shader;
-  std::string Source;
+  std::string Name;
+  std::string Type;
+  std::string Sampler;
+  std::string Components;
 };
+
+// The vertex shader hands the values at both ends of a segment to the fragment shader. Returns the
+// expression for the value there, linear from ball to ball.
+std::string PassNodeValue(vtkShaderEdit& vertex, vtkShaderEdit& fragment, const NodeValue& value)
+{
+  const std::string start = "start" + value.Name;
+  const std::string end = "end" + value.Name;
+  const auto declare = [&](const std::string& direction)
+  {
+    return "flat " + direction + " " + value.Type + " " + start + ";\nflat " + direction + " " +
+      value.Type + " " + end + ";\n";
+  };
+  const auto fetch = [&](const std::string& ball)
+  { return "texelFetch(" + value.Sampler + ", " + ball + ")." + value.Components + ";\n"; };
+  vertex.Prepend(
+    "//VTK::NodeValue::Dec", "uniform samplerBuffer " + value.Sampler + ";\n" + declare("out"));
+  vertex.Prepend("//VTK::NodeValue::Impl",
+    start + " = " + fetch("firstBall") + "  " + end + " = " + fetch("lastBall") + "  ");
+  fragment.Prepend("//VTK::NodeValue::Dec", declare("in"));
+  return "mix(" + start + ", " + end +
+    ", clamp(0.5 + 0.5 * hit.w / max(coneShape.x, 1e-30), 0.0, 1.0))";
+}
+
+// Segments whose values meet the condition are not drawn.
+void SkipSegments(vtkShaderEdit& vertex, const std::string& condition)
+{
+  vertex.Prepend("//VTK::NodeValue::Impl",
+    "if (" + condition +
+      ")\n"
+      "  {\n"
+      "    return;\n"
+      "  }\n"
+      "  ");
+}
 
 // A homogeneous point by a transposed matrix.
 std::array<double, 3> TransformPoint(const double point[4], vtkMatrix4x4* transposed)
@@ -170,6 +191,36 @@ void vtkRoundedConeMapper::SetTextureColors(std::vector<float> coordinates, vtkI
 }
 
 //------------------------------------------------------------------------------
+void vtkRoundedConeMapper::SetOpacities(std::vector<float> factors)
+{
+  if (factors.empty() != this->Opacities.empty())
+  {
+    this->ShaderVariantTime.Modified();
+  }
+  this->Opacities = std::move(factors);
+  this->OpacityTexture.Current = false;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRoundedConeMapper::BufferTexture*> vtkRoundedConeMapper::GetTextures()
+{
+  std::vector<BufferTexture*> textures = { &this->NodeTexture };
+  if (!this->Nodes->GetRemainders().empty())
+  {
+    textures.push_back(&this->RemainderTexture);
+  }
+  if (this->Source != ColorSource::Property)
+  {
+    textures.push_back(&this->ColorTexture);
+  }
+  if (!this->Opacities.empty())
+  {
+    textures.push_back(&this->OpacityTexture);
+  }
+  return textures;
+}
+
+//------------------------------------------------------------------------------
 void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   // Callers need not have made the window's context current.
@@ -178,9 +229,11 @@ void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     renderWindow->PushContext();
   }
-  this->NodeTexture.Release(window);
-  this->RemainderTexture.Release(window);
-  this->ColorTexture.Release(window);
+  for (BufferTexture* texture :
+    { &this->NodeTexture, &this->RemainderTexture, &this->ColorTexture, &this->OpacityTexture })
+  {
+    texture->Release(window);
+  }
   this->ColorMap->ReleaseGraphicsResources(window);
   this->Primitives[PrimitiveTris].IBO->IndexCount = 0;
   this->Superclass::ReleaseGraphicsResources(window);
@@ -212,6 +265,10 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
   {
     this->ColorTexture.Upload(
       window, this->TextureCoordinates.data(), this->TextureCoordinates.size() / 2, 2);
+  }
+  if (!this->Opacities.empty() && !this->OpacityTexture.Current)
+  {
+    this->OpacityTexture.Upload(window, this->Opacities.data(), this->Opacities.size(), 1);
   }
 
   vtkOpenGLIndexBufferObject* indices = this->Primitives[PrimitiveTris].IBO;
@@ -309,15 +366,10 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
     state->vtkglDepthMask(GL_TRUE);
   }
 
-  this->NodeTexture.Texture->Activate();
-  const bool remainders = !this->Nodes->GetRemainders().empty();
-  if (remainders)
+  const std::vector<BufferTexture*> textures = this->GetTextures();
+  for (BufferTexture* texture : textures)
   {
-    this->RemainderTexture.Texture->Activate();
-  }
-  if (this->Source != ColorSource::Property)
-  {
-    this->ColorTexture.Texture->Activate();
+    texture->Texture->Activate();
   }
   if (this->Source == ColorSource::Texture)
   {
@@ -344,15 +396,10 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   {
     this->ColorMap->PostRender(renderer);
   }
-  if (this->Source != ColorSource::Property)
+  for (BufferTexture* texture : textures)
   {
-    this->ColorTexture.Texture->Deactivate();
+    texture->Texture->Deactivate();
   }
-  if (remainders)
-  {
-    this->RemainderTexture.Texture->Deactivate();
-  }
-  this->NodeTexture.Texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -377,8 +424,8 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
   Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   {
-    ShaderEdit vertex(shaders[vtkShader::Vertex]);
-    ShaderEdit fragment(shaders[vtkShader::Fragment]);
+    vtkShaderEdit vertex(shaders[vtkShader::Vertex]);
+    vtkShaderEdit fragment(shaders[vtkShader::Fragment]);
     fragment.Replace("//VTK::PositionVC::Dec", "");
     fragment.Replace("//VTK::PositionVC::Impl", "");
     fragment.Replace("//VTK::Normal::Dec", vtkRoundedConeDecFS);
@@ -392,7 +439,7 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
       fragment.Replace("//VTK::Exit::Impl", vtkRoundedConeExitImplFS);
     }
 
-    for (ShaderEdit* shader : { &vertex, &fragment })
+    for (vtkShaderEdit* shader : { &vertex, &fragment })
     {
       shader->Replace("//VTK::TrajectoryNodes::Dec", vtkTrajectoryNodesDec);
       if (!this->Nodes->GetRemainders().empty())
@@ -404,56 +451,51 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
           "node.xyz = (node.xyz - nodeOrigin) + texelFetch(nodeRemainders, index).xyz;\n");
       }
     }
+    if (!this->Opacities.empty())
+    {
+      this->ReplaceShaderOpacity(vertex, fragment);
+    }
     if (this->Source != ColorSource::Property)
     {
-      const std::string type = this->Source == ColorSource::Direct ? "vec4" : "vec2";
-      const std::string swizzle = this->Source == ColorSource::Direct ? "" : ".xy";
-      vertex.Replace("//VTK::NodeColor::Dec",
-        "uniform samplerBuffer nodeColors;\n"
-        "flat out " +
-          type +
-          " startColor;\n"
-          "flat out " +
-          type + " endColor;\n");
-      vertex.Replace("//VTK::NodeColor::Impl",
-        "startColor = texelFetch(nodeColors, firstBall)" + swizzle +
-          ";\n"
-          "  endColor = texelFetch(nodeColors, lastBall)" +
-          swizzle + ";\n");
-      fragment.Replace("//VTK::NodeColor::Dec",
-        "flat in " + type +
-          " startColor;\n"
-          "flat in " +
-          type + " endColor;\n");
-      // The superclass puts its own code in front of this, and this overrides its colours.
-      const std::string mixed =
-        "mix(startColor, endColor, clamp(0.5 + 0.5 * hit.w / max(coneShape.x, 1e-30), 0.0, 1.0))";
-      const std::string color =
-        this->Source == ColorSource::Direct ? mixed : "texture(nodeColorMap, " + mixed + ")";
-      fragment.Replace("//VTK::Color::Impl",
-        "//VTK::Color::Impl\n"
-        "  vec4 nodeColor = " +
-          color +
-          ";\n"
-          "  ambientColor = ambientIntensity * nodeColor.rgb;\n"
-          "  diffuseColor = diffuseIntensity * nodeColor.rgb;\n"
-          "  opacity = opacityUniform * nodeColor.a;\n");
-    }
-    if (this->Source == ColorSource::Direct)
-    {
-      vertex.Replace("  //VTK::Exit::Impl",
-        "  if (max(startColor.a, endColor.a) <= 0.0)\n"
-        "  {\n"
-        "    return;\n"
-        "  }\n"
-        "  //VTK::Exit::Impl");
-    }
-    if (this->Source == ColorSource::Texture)
-    {
-      fragment.Replace("//VTK::TMap::Dec", "uniform sampler2D nodeColorMap;\n//VTK::TMap::Dec");
+      this->ReplaceShaderNodeColor(vertex, fragment);
     }
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+// Before the colours: what is appended first comes last, and multiplies the opacity of the colour.
+void vtkRoundedConeMapper::ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment)
+{
+  const std::string factor =
+    PassNodeValue(vertex, fragment, { "Opacity", "float", this->OpacityTexture.Sampler, "x" });
+  SkipSegments(vertex, "max(startOpacity, endOpacity) <= 0.0");
+  fragment.Append("//VTK::Color::Impl", "  opacity *= " + factor + ";\n");
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment)
+{
+  const char* sampler = this->ColorTexture.Sampler;
+  std::string color;
+  if (this->Source == ColorSource::Direct)
+  {
+    color = PassNodeValue(vertex, fragment, { "Color", "vec4", sampler, "rgba" });
+    SkipSegments(vertex, "max(startColor.a, endColor.a) <= 0.0");
+  }
+  else
+  {
+    color = "texture(nodeColorMap, " +
+      PassNodeValue(vertex, fragment, { "Color", "vec2", sampler, "xy" }) + ")";
+    fragment.Replace("//VTK::TMap::Dec", "uniform sampler2D nodeColorMap;\n//VTK::TMap::Dec");
+  }
+  // The superclass puts its own code in front of this, and this overrides its colours.
+  fragment.Append("//VTK::Color::Impl",
+    "  vec4 nodeColor = " + color +
+      ";\n"
+      "  ambientColor = ambientIntensity * nodeColor.rgb;\n"
+      "  diffuseColor = diffuseIntensity * nodeColor.rgb;\n"
+      "  opacity = opacityUniform * nodeColor.a;\n");
 }
 
 //------------------------------------------------------------------------------
@@ -464,8 +506,8 @@ void vtkRoundedConeMapper::ReplaceShaderPicking(Shaders shaders, vtkRenderer*, v
   {
     return;
   }
-  ShaderEdit vertex(shaders[vtkShader::Vertex]);
-  ShaderEdit fragment(shaders[vtkShader::Fragment]);
+  vtkShaderEdit vertex(shaders[vtkShader::Vertex]);
+  vtkShaderEdit fragment(shaders[vtkShader::Fragment]);
   const bool low =
     pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_LOW24;
   const bool high =
@@ -495,15 +537,13 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   vtkShaderProgram* program = cellBO.Program;
-  program->SetUniformi("nodes", this->NodeTexture.Texture->GetTextureUnit());
+  for (const BufferTexture* texture : this->GetTextures())
+  {
+    program->SetUniformi(texture->Sampler, texture->Texture->GetTextureUnit());
+  }
   if (!this->Nodes->GetRemainders().empty())
   {
-    program->SetUniformi("nodeRemainders", this->RemainderTexture.Texture->GetTextureUnit());
     program->SetUniform3f("nodeOrigin", this->Origin.data());
-  }
-  if (this->Source != ColorSource::Property)
-  {
-    program->SetUniformi("nodeColors", this->ColorTexture.Texture->GetTextureUnit());
   }
   if (this->Source == ColorSource::Texture)
   {

@@ -10,8 +10,8 @@
  * view-aligned quad for each segment, the fragment shader intersects the view ray with it
  * (Gross and Gumhold 2021, section 5). See glsl/vtkRoundedConeVS.glsl.
  *
- * Graphics memory: 16 bytes for each node, 32 where it has a remainder, and 4 for its colour, or 8
- * for a texture coordinate.
+ * Graphics memory: 16 bytes for each node, 32 where it has a remainder, 4 for its colour, or 8 for
+ * a texture coordinate, and 4 for its opacity factor.
  */
 
 #ifndef vtkRoundedConeMapper_h
@@ -31,6 +31,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
+class vtkShaderEdit;
 
 class vtkRoundedConeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -55,6 +56,9 @@ public:
   void SetDirectColors(std::vector<unsigned char> colors);
   void SetTextureColors(std::vector<float> coordinates, vtkImageData* colorMap);
   ///@}
+
+  /** Multiply the opacity by the factor of each node in [0,1] from now on; empty: no factors. */
+  void SetOpacities(std::vector<float> factors);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -93,6 +97,12 @@ private:
   /** An array of values that shaders fetch by index. */
   struct BufferTexture
   {
+    explicit BufferTexture(const char* sampler)
+      : Sampler(sampler)
+    {
+    }
+
+    const char* Sampler; ///< its name in the shaders
     vtkNew<vtkTextureObject> Texture;
     vtkNew<vtkOpenGLBufferObject> Buffer;
     bool Current = false; ///< what the graphics memory holds is what shall be drawn
@@ -103,6 +113,11 @@ private:
     void Release(vtkWindow* window);
   };
 
+  /** The buffer textures that what is drawn now needs. */
+  std::vector<BufferTexture*> GetTextures();
+
+  void ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
+  void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
   void UpdateCutOpen();
   void SetClipParameters(vtkShaderProgram* program);
@@ -112,14 +127,17 @@ private:
   vtkSmartPointer<vtkMatrix4x4> GetPixelToView(vtkRenderer* renderer);
 
   const vtkTrajectoryNodes* Nodes = nullptr;
-  BufferTexture NodeTexture;
-  BufferTexture RemainderTexture;
+  BufferTexture NodeTexture{ "nodes" };
+  BufferTexture RemainderTexture{ "nodeRemainders" };
 
   ColorSource Source = ColorSource::Property;
   std::vector<unsigned char> DirectColors;
   std::vector<float> TextureCoordinates;
-  BufferTexture ColorTexture;
+  BufferTexture ColorTexture{ "nodeColors" };
   vtkNew<vtkOpenGLTexture> ColorMap;
+
+  std::vector<float> Opacities;
+  BufferTexture OpacityTexture{ "nodeOpacities" };
 
   // transposed, as VTK's key matrices are
   vtkNew<vtkMatrix4x4> WorldToView;

@@ -22,7 +22,7 @@ flat in vec3 afterVC;
 
 const float JOINT_BAND = 0.004;  // in radii; far more than what segments differ by
 
-//VTK::NodeColor::Dec
+//VTK::NodeValue::Dec
 
 // A view ray in LC, started where it passes the axis, and the quadratic
 // k.z t^2 + 2 k.y t + k.x that is negative inside the double cone around the segment.

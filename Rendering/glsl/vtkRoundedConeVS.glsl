@@ -34,7 +34,7 @@ flat out vec3 afterVC;
 
 //VTK::CustomUniforms::Dec
 
-//VTK::NodeColor::Dec
+//VTK::NodeValue::Dec
 
 //VTK::TrajectoryNodes::Dec
 
@@ -209,7 +209,7 @@ void main()
     len = 0.0;
   }
 
-  //VTK::NodeColor::Impl
+  //VTK::NodeValue::Impl
 
   //VTK::Exit::Impl
 
