@@ -44,10 +44,11 @@
  * of both: then the output has a copy, with all point data, for each use but the first, after the
  * points of the input; else the geometry is passed by reference.
  *
- * Cost: one parallel pass over the points, in about twice the time that a copy of the arrays
- * takes; TotalPressureDifference is parallel over the lines. Same bits with any number of threads.
- * Errors: an array that is named or needed and does not exist, a cell with a point that does not
- * exist. Nothing is then computed.
+ * Cost: one parallel pass over the points and one over the lines, all together in about twice the
+ * time that a copy of the arrays takes (Testing/Benchmark/attributes.py). A line whose times are
+ * not in order is sorted for a TimeWindow. Same bits with any number of threads. Errors: an array
+ * that is named or needed and does not exist, a cell with a point that does not exist. Nothing is
+ * then computed.
  *
  * @sa vtkTrajectorySegments vtkTrajectoryReader
  */

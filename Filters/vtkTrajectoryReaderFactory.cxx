@@ -3,8 +3,14 @@
 
 #include "vtkTrajectoryReaderFactory.h"
 
+#include "vtkLagrantoNetCDFReader.h"
+#include "vtkLagrantoReader.h"
+#include "vtkMRtrixTracksReader.h"
+#include "vtkMet3DReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkTRXReader.h"
+#include "vtkTrackVisReader.h"
 #include "vtkTrajectoryReader.h"
 
 #include <vector>
@@ -24,7 +30,14 @@ vtkSmartPointer<vtkTrajectoryReader> Make()
 
 using Maker = vtkSmartPointer<vtkTrajectoryReader> (*)();
 
-const std::vector<Maker> Makers = {};
+const std::vector<Maker> Makers = {
+  Make<vtkMet3DReader>,
+  Make<vtkLagrantoNetCDFReader>,
+  Make<vtkLagrantoReader>,
+  Make<vtkTrackVisReader>,
+  Make<vtkMRtrixTracksReader>,
+  Make<vtkTRXReader>,
+};
 }
 
 //------------------------------------------------------------------------------

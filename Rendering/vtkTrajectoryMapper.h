@@ -82,8 +82,9 @@ public:
    * map and property: 1 keeps it, 0 draws nothing. They are linear from ball to ball, as colours
    * are, and on polygons and strips. Values outside are clamped; NaN, and data that lacks the
    * array, count as 1. An array of several components is not used, with one warning. With a factor
-   * below 1 the actor is translucent; importance as factors fades the context and leaves relevant
-   * lines opaque (M. Balsa Rodriguez et al.). Default: none, at no cost.
+   * below 1 the actor is translucent. Importance as factors fades the context and keeps relevant
+   * lines opaque (M. Bandle, Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D,
+   * 2016, section 3.3.1). Default: none, at no cost.
    */
   vtkSetStringMacro(OpacityArray);
   vtkGetStringMacro(OpacityArray);

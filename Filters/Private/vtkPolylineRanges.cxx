@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,33 +20,41 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double WindowTolerance = 1e-6;
 
 //------------------------------------------------------------------------------
-// The greatest, in the order `Better`, of the values that are inside a window that only moves on:
-// each value waits in line behind the better ones before it.
+// The best, in the order `Better`, of the values inside a window that only moves on: each value
+// waits in line behind the better ones before it.
 template <typename Better>
 class WindowExtreme
 {
 public:
+  void Clear()
+  {
+    this->Candidates.clear();
+    this->First = 0;
+  }
+
   void Add(double time, double value)
   {
-    while (!this->Candidates.empty() && Better()(value, this->Candidates.back().second))
+    while (this->First < this->Candidates.size() && Better()(value, this->Candidates.back().second))
     {
       this->Candidates.pop_back();
     }
     this->Candidates.emplace_back(time, value);
   }
 
-  void RemoveBefore(double time, double tolerated)
+  // Values more than `window` before `time` leave; the last one that was added may not be one.
+  void Advance(double time, double window)
   {
-    while (time - this->Candidates.front().first > tolerated)
+    while (time - this->Candidates[this->First].first > window)
     {
-      this->Candidates.pop_front();
+      ++this->First;
     }
   }
 
-  double Get() const { return this->Candidates.front().second; }
+  double Get() const { return this->Candidates[this->First].second; }
 
 private:
-  std::deque<std::pair<double, double>> Candidates;
+  std::vector<std::pair<double, double>> Candidates;
+  std::size_t First = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -56,6 +64,15 @@ float ToFloat(double range)
   return static_cast<float>(range > largest ? largest : range);
 }
 }
+
+//------------------------------------------------------------------------------
+// Memory that a thread uses for one line after another.
+struct vtkPolylineRanges::Scratch
+{
+  std::vector<Sample> Samples;
+  WindowExtreme<std::less<double>> Lowest;
+  WindowExtreme<std::greater<double>> Highest;
+};
 
 //------------------------------------------------------------------------------
 vtkPolylineRanges::vtkPolylineRanges(
@@ -70,11 +87,11 @@ vtkPolylineRanges::vtkPolylineRanges(
 //------------------------------------------------------------------------------
 void vtkPolylineRanges::Compute(vtkIdType first, vtkIdType last, float* ranges) const
 {
-  std::vector<Sample> samples;
+  Scratch scratch;
   for (vtkIdType line = first; line < last; ++line)
   {
     ranges[line] =
-      ToFloat(this->Times ? this->ComputeInWindow(line, samples) : this->ComputeOfLine(line));
+      ToFloat(this->Times ? this->ComputeInWindow(line, scratch) : this->ComputeOfLine(line));
   }
 }
 
@@ -101,19 +118,19 @@ double vtkPolylineRanges::ComputeOfLine(vtkIdType line) const
 }
 
 //------------------------------------------------------------------------------
-double vtkPolylineRanges::ComputeInWindow(vtkIdType line, std::vector<Sample>& samples) const
+double vtkPolylineRanges::ComputeInWindow(vtkIdType line, Scratch& scratch) const
 {
-  this->GatherSamples(line, samples);
-  double range = Missing;
-  WindowExtreme<std::less<double>> lowest;
-  WindowExtreme<std::greater<double>> highest;
-  for (const Sample& sample : samples)
+  this->GatherSamples(line, scratch.Samples);
+  scratch.Lowest.Clear();
+  scratch.Highest.Clear();
+  double range = scratch.Samples.empty() ? Missing : 0.0;
+  for (const Sample& sample : scratch.Samples)
   {
-    lowest.Add(sample.Time, sample.Value);
-    highest.Add(sample.Time, sample.Value);
-    lowest.RemoveBefore(sample.Time, this->Window);
-    highest.RemoveBefore(sample.Time, this->Window);
-    range = std::fmax(range, highest.Get() - lowest.Get());
+    scratch.Lowest.Add(sample.Time, sample.Value);
+    scratch.Highest.Add(sample.Time, sample.Value);
+    scratch.Lowest.Advance(sample.Time, this->Window);
+    scratch.Highest.Advance(sample.Time, this->Window);
+    range = std::max(range, scratch.Highest.Get() - scratch.Lowest.Get());
   }
   return range;
 }

@@ -37,9 +37,10 @@ private:
     double Time;
     double Value;
   };
+  struct Scratch;
 
   double ComputeOfLine(vtkIdType line) const;
-  double ComputeInWindow(vtkIdType line, std::vector<Sample>& samples) const;
+  double ComputeInWindow(vtkIdType line, Scratch& scratch) const;
   void GatherSamples(vtkIdType line, std::vector<Sample>& samples) const;
 
   const vtkPolylines& Lines;

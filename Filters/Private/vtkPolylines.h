@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPolylines
- * @brief   The lines of a vtkPolyData as one sequence of positions, which threads can share out.
+ * @brief   The lines of a cell array as one sequence of positions, which threads can share out.
  *
  * Private to the module. Position p is the p-th entry of the lines' connectivity. Shares of equal
  * numbers of positions keep all threads busy whether there are many short lines or a few long ones.
@@ -12,8 +12,6 @@
 #define vtkPolylines_h
 
 #include "vtkCellArray.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm> // for copies of ids
 

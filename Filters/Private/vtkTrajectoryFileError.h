@@ -5,7 +5,8 @@
  * @brief   Why a trajectory file cannot be read; thrown and caught inside the readers.
  *
  * The message says what was expected, what was found and, where it helps, what to do. It does not
- * name the file: vtkTrajectoryReader puts the name before it.
+ * name the file: vtkTrajectoryReader puts the name before it. What it quotes of a damaged file may
+ * be any bytes; those that are not printable ASCII become question marks.
  */
 
 #ifndef vtkTrajectoryFileError_h
@@ -13,6 +14,7 @@
 
 #include "vtkErrorCode.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +25,7 @@ class vtkTrajectoryFileError : public std::runtime_error
 public:
   explicit vtkTrajectoryFileError(
     const std::string& message, unsigned long code = vtkErrorCode::FileFormatError)
-    : std::runtime_error(message)
+    : std::runtime_error(MakePrintable(message))
     , Code(code)
   {
   }
@@ -32,6 +34,13 @@ public:
   unsigned long GetCode() const { return this->Code; }
 
 private:
+  static std::string MakePrintable(std::string text)
+  {
+    std::replace_if(
+      text.begin(), text.end(), [](char byte) { return byte < ' ' || byte > '~'; }, '?');
+    return text;
+  }
+
   unsigned long Code;
 };
 

@@ -3,18 +3,18 @@
 
 #include "Coloring.h"
 
-#include "RenderError.h"
+#include "SceneArrays.h"
 
+#include "vtkCellDataToPointData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
 
 namespace pellucid
 {
@@ -30,39 +30,6 @@ constexpr double Cool[3] = { 0.230, 0.299, 0.754 };
 constexpr double Warm[3] = { 0.706, 0.016, 0.150 };
 
 //------------------------------------------------------------------------------
-// Call visit(array, association) for every array of numbers that has a name.
-template <typename Visitor>
-void VisitArrays(const Drawable& drawable, const Visitor& visit)
-{
-  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    for (vtkPolyData* leaf : drawable.GetLeaves())
-    {
-      vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-      {
-        vtkDataArray* array = attributes->GetArray(i);
-        if (array && array->GetName())
-        {
-          visit(array, association);
-        }
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// vtkDataObject::POINT or CELL, the points before the cells; nothing where there is no such array.
-std::optional<int> FindAssociation(const Drawable& drawable, const std::string& name)
-{
-  std::optional<int> found;
-  VisitArrays(drawable,
-    [&](vtkDataArray* array, int association)
-    { found = !found && name == array->GetName() ? association : found; });
-  return found;
-}
-
-//------------------------------------------------------------------------------
 // The active scalars, or the first array other than normals; empty if there is none.
 std::string ChooseName(const Drawable& drawable)
 {
@@ -72,38 +39,22 @@ std::string ChooseName(const Drawable& drawable)
   }
   std::string first;
   std::string active;
-  VisitArrays(drawable,
-    [&](vtkDataArray* array, int association)
+  const auto leaves = drawable.GetLeaves();
+  for (const SceneArray& array : GetArrays(drawable))
+  {
+    const auto isOneOf = [&](vtkDataArray* (vtkDataSetAttributes::*get)())
     {
-      for (vtkPolyData* leaf : drawable.GetLeaves())
-      {
-        vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
-        active = active.empty() && array == attributes->GetScalars() ? array->GetName() : active;
-        first = first.empty() && array != attributes->GetNormals() ? array->GetName() : first;
-      }
-    });
+      return std::any_of(leaves.begin(), leaves.end(),
+        [&](vtkPolyData* leaf)
+        {
+          vtkDataArray* part = (leaf->GetAttributes(array.Association)->*get)();
+          return part && std::count(array.Parts.begin(), array.Parts.end(), part) != 0;
+        });
+    };
+    active = active.empty() && isOneOf(&vtkDataSetAttributes::GetScalars) ? array.Name : active;
+    first = first.empty() && !isOneOf(&vtkDataSetAttributes::GetNormals) ? array.Name : first;
+  }
   return active.empty() ? first : active;
-}
-
-//------------------------------------------------------------------------------
-std::string ListArrays(const std::vector<Drawable>& drawables)
-{
-  std::set<std::string> arrays;
-  for (const Drawable& drawable : drawables)
-  {
-    VisitArrays(drawable,
-      [&arrays](vtkDataArray* array, int association)
-      {
-        arrays.insert(array->GetName() +
-          std::string(association == vtkDataObject::POINT ? " (points)" : " (cells)"));
-      });
-  }
-  std::string list;
-  for (const std::string& array : arrays)
-  {
-    list += (list.empty() ? "" : ", ") + array;
-  }
-  return list.empty() ? "none" : list;
 }
 
 //------------------------------------------------------------------------------
@@ -174,19 +125,13 @@ Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& na
   std::vector<double> values;
   for (const Drawable& drawable : drawables)
   {
-    VisitArrays(drawable,
-      [&](vtkDataArray* array, int)
+    if (const auto array = FindArray(drawable, this->Name))
+    {
+      for (vtkDataArray* part : array->Parts)
       {
-        if (this->Name == array->GetName())
-        {
-          Sample(array, values);
-        }
-      });
-  }
-  if (!name.empty() && values.empty())
-  {
-    throw RenderError("--color-by: there is no array '" + name + "' with numbers; there are " +
-      ListArrays(drawables));
+        Sample(part, values);
+      }
+    }
   }
   this->Table = MakeTable(values);
 }
@@ -194,17 +139,45 @@ Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& na
 //------------------------------------------------------------------------------
 void Coloring::Apply(vtkMapper* mapper, const Drawable& drawable) const
 {
-  const auto association = FindAssociation(drawable, this->Name);
-  if (!association)
+  const auto array = FindArray(drawable, this->Name);
+  if (!array)
   {
     mapper->ScalarVisibilityOff();
     return;
   }
-  mapper->SetScalarMode(*association == vtkDataObject::POINT ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
-                                                             : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  mapper->SetScalarMode(array->Association == vtkDataObject::POINT
+      ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+      : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
   mapper->SelectColorArray(this->Name.c_str());
   mapper->SetColorModeToMapScalars();
   mapper->SetLookupTable(this->Table);
   mapper->UseLookupTableScalarRangeOn();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> Coloring::MapPoints(
+  vtkPolyData* part, const Drawable& drawable) const
+{
+  vtkSmartPointer<vtkPolyData> points = part;
+  const auto array = FindArray(drawable, this->Name);
+  if (array && array->Association == vtkDataObject::CELL)
+  {
+    vtkNew<vtkCellDataToPointData> spread;
+    spread->SetInputData(part);
+    spread->Update();
+    points = spread->GetPolyDataOutput();
+  }
+  vtkDataArray* values = array ? points->GetPointData()->GetArray(this->Name.c_str()) : nullptr;
+  if (!values)
+  {
+    constexpr unsigned char white = 255;
+    auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(part->GetNumberOfPoints());
+    colors->FillValue(white);
+    return colors;
+  }
+  constexpr int length = -1;
+  return vtk::TakeSmartPointer(this->Table->MapScalars(values, VTK_COLOR_MODE_MAP_SCALARS, length));
 }
 }

@@ -12,6 +12,7 @@
 
 #include "vtkLookupTable.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 class vtkMapper;
 
@@ -23,12 +24,19 @@ class Coloring
 public:
   /**
    * Choose the array: `name`, or if empty the speed of traced lines, or else the active or the
-   * first array. Throw RenderError, naming the arrays that exist, when no drawable has `name`.
+   * first array.
    */
   Coloring(const std::vector<Drawable>& drawables, const std::string& name);
 
   /** Make the mapper of a drawable colour by the array; one colour where it lacks the array. */
   void Apply(vtkMapper* mapper, const Drawable& drawable) const;
+
+  /**
+   * The colours of the points of a part of the drawable, 4 components; where the array is one of
+   * the cells, the mean of those at a point counts, and where there is none, white.
+   */
+  vtkSmartPointer<vtkUnsignedCharArray> MapPoints(
+    vtkPolyData* part, const Drawable& drawable) const;
 
 private:
   std::string Name; // empty: nothing to colour by

@@ -18,21 +18,6 @@ namespace pellucid
 namespace
 {
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> Join(const std::vector<vtkDataSet*>& leaves)
-{
-  if (leaves.size() == 1)
-  {
-    return leaves.front();
-  }
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (vtkDataSet* leaf : leaves)
-  {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), leaf);
-  }
-  return blocks;
-}
-
-//------------------------------------------------------------------------------
 Drawable Trace(const std::string& name, vtkDataObject* field, const RenderOptions& options)
 {
   MessageLog& log = MessageLog::GetInstance();
@@ -70,9 +55,41 @@ Drawable Trace(const std::string& name, vtkDataObject* field, const RenderOption
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> JoinParts(const std::vector<vtkDataSet*>& parts)
+{
+  if (parts.size() == 1)
+  {
+    return parts.front();
+  }
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (vtkDataSet* part : parts)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkPolyData*> Drawable::GetLeaves() const
 {
   return vtkCompositeDataSet::GetDataSets<vtkPolyData>(this->Data);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType Drawable::GetNumberOfPoints() const
+{
+  return this->Data->GetNumberOfElements(vtkDataObject::POINT);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType Drawable::GetNumberOfLines() const
+{
+  vtkIdType lines = 0;
+  for (vtkPolyData* leaf : this->GetLeaves())
+  {
+    lines += leaf->GetNumberOfLines();
+  }
+  return lines;
 }
 
 //------------------------------------------------------------------------------
@@ -89,11 +106,11 @@ std::vector<Drawable> MakeDrawables(const std::vector<Input>& inputs, const Rend
     }
     if (!geometry.empty())
     {
-      drawables.push_back({ input.Name, Join(geometry), std::string() });
+      drawables.push_back({ input.Name, JoinParts(geometry), std::string() });
     }
     if (!fields.empty())
     {
-      drawables.push_back(Trace(input.Name, Join(fields), options));
+      drawables.push_back(Trace(input.Name, JoinParts(fields), options));
     }
   }
   return drawables;

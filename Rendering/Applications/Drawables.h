@@ -12,6 +12,7 @@
 
 #include "vtkPolyData.h"
 
+#include <set>    // for names
 #include <string> // for names
 #include <vector> // for lists
 
@@ -19,15 +20,26 @@ namespace pellucid
 {
 struct RenderOptions;
 
+/** Name of the point array of importance. */
+constexpr const char* ImportanceArray = "Importance";
+
 struct Drawable
 {
   std::string Name;                    // of the input
   vtkSmartPointer<vtkDataObject> Data; // vtkPolyData or composite data of it
   std::string Speed;                   // name of the traced vectors; empty: nothing was traced
+  std::set<std::string> Computed = {}; // names of arrays that we added
+  bool HasImportance = false;          // each part has the point array Importance
 
   /** The parts that hold points. */
   std::vector<vtkPolyData*> GetLeaves() const;
+
+  vtkIdType GetNumberOfPoints() const;
+  vtkIdType GetNumberOfLines() const;
 };
+
+/** The part itself if there is one, else all as blocks. */
+vtkSmartPointer<vtkDataObject> JoinParts(const std::vector<vtkDataSet*>& parts);
 
 /** At least one drawable for each input. Throw RenderError for data that cannot be drawn. */
 std::vector<Drawable> MakeDrawables(const std::vector<Input>& inputs, const RenderOptions& options);

@@ -28,23 +28,31 @@ void FrameStatistics::Take(vtkTransparencyStatistics* statistics)
 }
 
 //------------------------------------------------------------------------------
-void WriteStatistics(const FrameStatistics& statistics, const std::string& fileName)
+void WriteStatistics(
+  const SceneStatistics& scene, const FrameStatistics& frame, const std::string& fileName)
 {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& [name, milliseconds] : statistics.Stages)
+  for (const auto& [name, milliseconds] : frame.Stages)
   {
     stages[name] = milliseconds;
   }
+  nlohmann::ordered_json histogram;
+  if (!scene.ImportanceHistogram.empty())
+  {
+    histogram = { { "minimum", 0 }, { "maximum", 1 }, { "counts", scene.ImportanceHistogram } };
+  }
   const nlohmann::ordered_json document = {
-    { "input_points", statistics.InputPoints },
-    { "input_lines", statistics.InputLines },
-    { "fragments", statistics.Fragments },
-    { "longest_list", statistics.LongestList },
-    { "buffer_bytes", statistics.BufferBytes },
-    { "tiles", statistics.Tiles },
+    { "input_points", scene.InputPoints },
+    { "input_lines", scene.InputLines },
+    { "selected_lines", scene.SelectedLines },
+    { "importance_histogram", histogram },
+    { "fragments", frame.Fragments },
+    { "longest_list", frame.LongestList },
+    { "buffer_bytes", frame.BufferBytes },
+    { "tiles", frame.Tiles },
     { "stages", stages },
-    { "renderer", statistics.Renderer },
-    { "opengl", statistics.OpenGL },
+    { "renderer", frame.Renderer },
+    { "opengl", frame.OpenGL },
   };
   std::ofstream file(fileName);
   file << document.dump(2) << "\n";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   Counts, memory and times of a frame, and their file.
+ * @brief   Counts, memory and times of a picture, and their file.
  */
 
 #ifndef FrameStatistics_h
@@ -16,10 +16,18 @@ class vtkTransparencyStatistics;
 
 namespace pellucid
 {
+/** What is drawn. */
+struct SceneStatistics
+{
+  long long InputPoints = 0; // after tracing, before selection
+  long long InputLines = 0;
+  long long SelectedLines = 0;
+  std::vector<long long> ImportanceHistogram; // points in bins from 0 to 1; empty: no importance
+};
+
+/** How it was drawn. */
 struct FrameStatistics
 {
-  long long InputPoints = 0; // of what is drawn: after tracing
-  long long InputLines = 0;
   long long Fragments = 0; // 0 where the method does not count them
   long long LongestList = 0;
   long long BufferBytes = 0;
@@ -33,10 +41,12 @@ struct FrameStatistics
 };
 
 /**
- * Write JSON with the keys input_points, input_lines, fragments, longest_list, buffer_bytes, tiles,
+ * Write JSON with the keys input_points, input_lines, selected_lines, importance_histogram (null,
+ * or an object with minimum, maximum and counts), fragments, longest_list, buffer_bytes, tiles,
  * stages (an object: name to milliseconds), renderer and opengl; throw RenderError when that fails.
  */
-void WriteStatistics(const FrameStatistics& statistics, const std::string& fileName);
+void WriteStatistics(
+  const SceneStatistics& scene, const FrameStatistics& frame, const std::string& fileName);
 }
 
 #endif

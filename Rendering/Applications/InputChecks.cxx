@@ -18,6 +18,10 @@ namespace pellucid
 {
 namespace
 {
+// Bytes of binary STL.
+constexpr std::size_t StlHeaderSize = 84;
+constexpr std::size_t StlTriangleSize = 50;
+
 //------------------------------------------------------------------------------
 void CheckCells(vtkCellArray* cells, vtkIdType pointCount, const std::string& name)
 {
@@ -62,7 +66,7 @@ void CheckReadable(const std::string& fileName)
   }
   if (std::filesystem::is_directory(fileName))
   {
-    throw RenderError(fileName + ": is a folder, not a file");
+    return;
   }
   std::ifstream file(fileName, std::ios::binary);
   if (!file)
@@ -76,18 +80,39 @@ void CheckReadable(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+void CheckNoFolder(const std::string& fileName)
+{
+  if (std::filesystem::is_directory(fileName))
+  {
+    throw RenderError(fileName + ": is a folder, expected a file, or a folder in TRX format");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsBinaryStl(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  unsigned char header[StlHeaderSize] = {};
+  file.read(reinterpret_cast<char*>(header), StlHeaderSize);
+  std::uintmax_t triangles = 0;
+  for (int byte = 3; byte >= 0; --byte)
+  {
+    triangles = 256 * triangles + header[80 + byte];
+  }
+  return file && triangles > 0 &&
+    std::filesystem::file_size(fileName) == StlHeaderSize + triangles * StlTriangleSize;
+}
+
+//------------------------------------------------------------------------------
 void CheckStlLength(const std::string& fileName)
 {
-  // Bytes; the triangle count in the header is not reliable in files of other programs.
-  constexpr std::uintmax_t headerSize = 84;
-  constexpr std::uintmax_t triangleSize = 50;
-
+  // The triangle count in the header is not reliable in files of other programs.
   std::ifstream file(fileName, std::ios::binary);
-  std::string begin(headerSize, ' ');
+  std::string begin(StlHeaderSize, ' ');
   file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   const bool isText = begin.compare(0, 5, "solid") == 0 && begin.find('\0') == std::string::npos;
   const std::uintmax_t size = std::filesystem::file_size(fileName);
-  if (!isText && (size < headerSize || (size - headerSize) % triangleSize != 0))
+  if (!isText && (size < StlHeaderSize || (size - StlHeaderSize) % StlTriangleSize != 0))
   {
     throw RenderError(fileName + ": is damaged, its " + std::to_string(size) +
       " bytes are not those of whole triangles");

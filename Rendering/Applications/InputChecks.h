@@ -14,8 +14,17 @@ class vtkDataObject;
 
 namespace pellucid
 {
-/** Throw RenderError unless the name is that of a file that can be opened and holds something. */
+/**
+ * Throw RenderError unless the name is that of a folder, or of a file that can be opened and holds
+ * something.
+ */
 void CheckReadable(const std::string& fileName);
+
+/** Throw RenderError if the name is that of a folder. */
+void CheckNoFolder(const std::string& fileName);
+
+/** Whether the file is as long as binary STL with the number of triangles that it states. */
+bool IsBinaryStl(const std::string& fileName);
 
 /** Throw RenderError if a binary STL file ends in the middle of a triangle. */
 void CheckStlLength(const std::string& fileName);

@@ -3,61 +3,27 @@
 
 #include "InputReader.h"
 
+#include "FileKinds.h"
 #include "InputChecks.h"
 #include "MessageLog.h"
 #include "Plot3DFiles.h"
-#include "PlyLength.h"
 #include "ProgressLine.h"
 #include "ReaderGuard.h"
 #include "RenderError.h"
+#include "RenderOptions.h"
+#include "TrajectoryFiles.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkMultiBlockPLOT3DReader.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
-#include "vtkSTLReader.h"
-#include "vtkXMLGenericDataObjectReader.h"
-#include "vtksys/SystemTools.hxx"
 
 #include <fstream>
 #include <iterator>
-#include <map>
 
 namespace pellucid
 {
 namespace
 {
-//------------------------------------------------------------------------------
-template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName)
-{
-  const auto reader = vtkSmartPointer<Reader>::New();
-  reader->SetFileName(fileName.c_str());
-  return reader;
-}
-
-using ReaderMaker = vtkSmartPointer<vtkAlgorithm> (*)(const std::string&);
-
-const std::map<std::string, ReaderMaker> Readers = {
-  { ".obj", MakeReader<vtkOBJReader> },
-  { ".ply", MakeReader<vtkPLYReader> },
-  { ".stl", MakeReader<vtkSTLReader> },
-  { ".vtk", MakeReader<vtkGenericDataObjectReader> },
-  { ".vti", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtm", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtp", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtr", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vts", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtu", MakeReader<vtkXMLGenericDataObjectReader> },
-};
-
-//------------------------------------------------------------------------------
-std::string GetSuffix(const std::string& fileName)
-{
-  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
-}
-
 //------------------------------------------------------------------------------
 // XML files whose arrays follow as one raw block. The expat of some systems, Debian 12 among them,
 // breaks VTK's reader there.
@@ -79,14 +45,23 @@ std::string GetRemedy(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string& fileName)
+// What is said of a file when its reader gives no better reason.
+std::string GetFailure(const std::string& fileName)
 {
-  const std::string failure =
-    fileName + ": cannot be read, the file is empty, damaged or of another kind";
+  return fileName + ": cannot be read, the file is empty, damaged or of another kind";
+}
+
+//------------------------------------------------------------------------------
+// Run the reader and return its output; `explain` makes the message for the user of its first
+// complaint, which may be empty.
+template <typename Explain>
+vtkSmartPointer<vtkDataObject> RunReader(
+  vtkAlgorithm* reader, const std::string& fileName, const Explain& explain)
+{
   MessageLog& log = MessageLog::GetInstance();
   log.Clear();
   {
-    const ReaderGuard guard(failure);
+    const ReaderGuard guard(GetFailure(fileName));
     const ProgressLine progress(reader, "Reading " + fileName);
     reader->Update();
   }
@@ -94,38 +69,41 @@ vtkSmartPointer<vtkDataObject> RunReader(vtkAlgorithm* reader, const std::string
   const bool isLegacy = vtkGenericDataObjectReader::SafeDownCast(reader) != nullptr;
   if (log.HasErrors() || (isLegacy && log.HasWarnings()))
   {
-    const std::string reason = log.HasErrors() ? log.GetFirstError() : log.GetFirstWarning();
-    throw RenderError(failure + (reason.empty() ? "" : " (" + reason + ")") + GetRemedy(fileName));
+    throw RenderError(explain(log.HasErrors() ? log.GetFirstError() : log.GetFirstWarning()));
   }
   vtkDataObject* data = reader->GetOutputDataObject(0);
   if (!data)
   {
-    throw RenderError(failure);
+    throw RenderError(GetFailure(fileName));
   }
   log.PrintWarnings();
   return data;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& fileName)
+vtkSmartPointer<vtkDataObject> RunVTKReader(vtkAlgorithm* reader, const std::string& fileName)
 {
-  const auto maker = Readers.find(GetSuffix(fileName));
-  if (maker == Readers.end())
+  return RunReader(reader, fileName,
+    [&fileName](const std::string& reason)
+    {
+      return GetFailure(fileName) + (reason.empty() ? "" : " (" + reason + ")") +
+        GetRemedy(fileName);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Null if the file or folder holds no trajectories.
+vtkSmartPointer<vtkDataObject> ReadTrajectories(
+  const std::string& fileName, const RenderOptions& options)
+{
+  vtkSmartPointer<vtkTrajectoryReader> reader;
   {
-    throw RenderError(fileName +
-      ": is of no known kind; known are .vtk .vtp .vtm .vtu .vts .vti .vtr .ply .stl .obj and "
-      "PLOT3D's " +
-      ListPlot3DSuffixes());
+    const ReaderGuard guard(GetFailure(fileName));
+    reader = MakeTrajectoryReader(fileName, options);
   }
-  if (maker->first == ".stl")
-  {
-    CheckStlLength(fileName);
-  }
-  if (maker->first == ".ply")
-  {
-    CheckPlyLength(fileName);
-  }
-  return RunReader(maker->second(fileName), fileName);
+  // Our readers' messages begin with the name of the file and say it all.
+  return reader ? RunReader(reader, fileName, [](const std::string& reason) { return reason; })
+                : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -133,37 +111,55 @@ vtkSmartPointer<vtkDataObject> ReadPlot3D(const Plot3DFiles& files)
 {
   // VTK's number of the function that divides momentum by density.
   constexpr int velocity = 200;
+  CheckReadable(files.Grid);
+  CheckReadable(files.Solution);
   vtkNew<vtkMultiBlockPLOT3DReader> reader;
   reader->SetXYZFileName(files.Grid.c_str());
   reader->SetQFileName(files.Solution.c_str());
   reader->AutoDetectFormatOn();
   reader->AddFunction(velocity);
   reader->SetVectorFunctionNumber(velocity);
-  return RunReader(reader, files.Grid + " with " + files.Solution);
+  return RunVTKReader(reader, files.Grid + " with " + files.Solution);
+}
+
+//------------------------------------------------------------------------------
+// Read the first file, and its partner if it needs one, and take them out of the list.
+vtkSmartPointer<vtkDataObject> TakeInput(
+  std::vector<std::string>& fileNames, const RenderOptions& options)
+{
+  const std::string fileName = fileNames.front();
+  CheckReadable(fileName);
+  vtkSmartPointer<vtkDataObject> data = ReadTrajectories(fileName, options);
+  if (!data)
+  {
+    CheckNoFolder(fileName);
+    if (const auto reader = MakeFileReader(fileName))
+    {
+      data = RunVTKReader(reader, fileName);
+    }
+    else if (IsPlot3DFileName(fileName))
+    {
+      return ReadPlot3D(TakePlot3DFiles(fileNames));
+    }
+    else
+    {
+      throw RenderError(ExplainUnknownFile(fileName));
+    }
+  }
+  fileNames.erase(fileNames.begin());
+  return data;
 }
 }
 
 //------------------------------------------------------------------------------
-std::vector<Input> ReadInputs(const std::vector<std::string>& fileNames)
+std::vector<Input> ReadInputs(const RenderOptions& options)
 {
   std::vector<Input> inputs;
-  std::vector<std::string> remaining = fileNames;
+  std::vector<std::string> remaining = options.Inputs;
   while (!remaining.empty())
   {
     const std::string fileName = remaining.front();
-    CheckReadable(fileName);
-    if (IsPlot3DFileName(fileName))
-    {
-      const Plot3DFiles files = TakePlot3DFiles(remaining);
-      CheckReadable(files.Grid);
-      CheckReadable(files.Solution);
-      inputs.push_back({ fileName, ReadPlot3D(files) });
-    }
-    else
-    {
-      remaining.erase(remaining.begin());
-      inputs.push_back({ fileName, ReadFile(fileName) });
-    }
+    inputs.push_back({ fileName, TakeInput(remaining, options) });
     CheckData(inputs.back().Data, fileName);
   }
   return inputs;

@@ -16,6 +16,8 @@
 
 namespace pellucid
 {
+struct RenderOptions;
+
 struct Input
 {
   std::string Name; // of the file, or of the first of two
@@ -23,10 +25,10 @@ struct Input
 };
 
 /**
- * Read the files in their order; a PLOT3D grid and its solution are one input. Throw RenderError
- * for a file that is missing, of no known kind, damaged, or empty.
+ * Read the files of the options in their order; a PLOT3D grid and its solution are one input. Throw
+ * RenderError for a file that is missing, of no known kind, damaged, or empty.
  */
-std::vector<Input> ReadInputs(const std::vector<std::string>& fileNames);
+std::vector<Input> ReadInputs(const RenderOptions& options);
 }
 
 #endif

@@ -183,8 +183,6 @@ Frame MakePicture(const Scene& scene, const RenderOptions& options)
   {
     DivideByAlpha(frame.Picture);
   }
-  frame.Statistics.InputPoints = scene.GetNumberOfPoints();
-  frame.Statistics.InputLines = scene.GetNumberOfLines();
   return frame;
 }
 }

@@ -33,10 +33,48 @@ enum class Seeding
   Line = 3
 };
 
+/** What z is; the values are those of vtkGeographicTrajectoryReader, here and below. */
+enum class Vertical
+{
+  LogPressure = 0,
+  Height = 1
+};
+
+enum class Longitudes
+{
+  Unwrap = 0,
+  Cut = 1
+};
+
+/** A limit of the range of an array: a number, or a percentile of its values. */
+struct RangeLimit
+{
+  double Value = 0.0;
+  bool IsPercentile = false; // then Value is 0 to 100
+};
+
+/** One array's part of the importance. */
+struct ImportanceTerm
+{
+  std::string Array;
+  RangeLimit Minimum;
+  RangeLimit Maximum;
+  double Weight = 1.0;
+};
+
+/** The lines to draw: those that have a value in the range. */
+struct SelectionRange
+{
+  std::string Array;
+  std::optional<RangeLimit> Minimum; // none: open
+  std::optional<RangeLimit> Maximum;
+};
+
 struct RenderOptions
 {
   std::vector<std::string> Inputs;
-  std::string Output;
+  std::string Output; // empty only where arrays are listed
+  bool ListArrays = false;
   std::string StatisticsFile; // empty: none
 
   // picture
@@ -45,9 +83,9 @@ struct RenderOptions
   bool TransparentBackground = false;
 
   // appearance
-  std::string ColorBy; // empty: speed of traced lines, or the active or first array
-  double Opacity = 0.3;
-  double Radius = 0.0; // world units; 0: from the data
+  std::string ColorBy;           // empty: speed of traced lines, or the active or first array
+  std::optional<double> Opacity; // none: 1 where importance decides, else 0.3
+  double Radius = 0.0;           // world units; 0: from the data
   bool Lighting = true;
 
   // camera; what is not given follows from the data
@@ -56,10 +94,25 @@ struct RenderOptions
   std::optional<Vector3> ViewUp;
   double ParallelScale = 0.0; // 0: perspective
 
+  // importance and attributes
+  std::vector<ImportanceTerm> Importance;
+  double Exponent = 1.0;
+  std::vector<SelectionRange> Selections;
+  std::string Pressure;    // empty: the array that is commonly called so
+  int UpAxis = 2;          // 0 x, 1 y, 2 z
+  double TimeWindow = 0.0; // unit of the time array; 0: the whole line
+
+  // geographic trajectories
+  int EnsembleMember = 0;
+  Vertical VerticalAxis = Vertical::LogPressure;
+  double VerticalScale = 0.0; // degrees; 0: the reader's default
+  Longitudes LongitudeMode = Longitudes::Unwrap;
+  double CentralLongitude = 0.0; // degrees
+
   // streamlines of fields
-  long long Seeds = 1000;
+  int Seeds = 1000;
   Seeding SeedingMode = Seeding::Volume;
-  long long SeedOffset = 0;
+  int SeedOffset = 0;
   std::optional<Vector3> SeedLineFirst;
   std::optional<Vector3> SeedLineLast;
   std::string Vectors;        // empty: the active or first vectors

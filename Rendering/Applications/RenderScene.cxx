@@ -4,13 +4,12 @@
 #include "RenderScene.h"
 
 #include "SceneCamera.h"
+#include "StockActors.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTrajectoryMapper.h"
-#include "vtkTubeFilter.h"
 
 #include <limits>
 
@@ -18,68 +17,17 @@ namespace pellucid
 {
 namespace
 {
-constexpr int TubeSides = 8;
+constexpr double DefaultOpacity = 0.3;
 
 //------------------------------------------------------------------------------
-vtkProperty* AddActor(vtkRenderer* renderer, vtkMapper* mapper, const RenderOptions& options)
+void AddActor(
+  vtkRenderer* renderer, vtkActor* actor, const Drawable& drawable, const RenderOptions& options)
 {
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetOpacity(options.Opacity);
+  const double opacity = drawable.HasImportance ? 1.0 : DefaultOpacity;
+  actor->GetProperty()->SetOpacity(options.Opacity.value_or(opacity));
   actor->GetProperty()->SetLighting(options.Lighting);
   renderer->AddActor(actor);
-  return actor->GetProperty();
 }
-
-//------------------------------------------------------------------------------
-// Stock VTK: the lines of a part as tubes, and everything else as it is. Of the tubes the inner
-// walls are left out, so that the layers are those of a vtkTrajectoryMapper.
-void AddStockActors(vtkRenderer* renderer, vtkPolyData* part, double radius,
-  const Drawable& drawable, const Coloring& colors, const RenderOptions& options)
-{
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputData(part);
-  tubes->SetRadius(radius);
-  tubes->SetNumberOfSides(TubeSides);
-  tubes->CappingOn();
-  tubes->Update();
-  vtkNew<vtkPolyData> others;
-  others->ShallowCopy(part);
-  others->SetLines(nullptr);
-
-  for (vtkPolyData* geometry : { tubes->GetOutput(), others.Get() })
-  {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(geometry);
-    colors.Apply(mapper, drawable);
-    AddActor(renderer, mapper, options)->SetBackfaceCulling(geometry != others);
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-vtkIdType Scene::GetNumberOfPoints() const
-{
-  vtkIdType points = 0;
-  for (const Drawable& drawable : this->Drawables)
-  {
-    points += drawable.Data->GetNumberOfElements(vtkDataObject::POINT);
-  }
-  return points;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType Scene::GetNumberOfLines() const
-{
-  vtkIdType lines = 0;
-  for (const Drawable& drawable : this->Drawables)
-  {
-    for (vtkPolyData* leaf : drawable.GetLeaves())
-    {
-      lines += leaf->GetNumberOfLines();
-    }
-  }
-  return lines;
 }
 
 //------------------------------------------------------------------------------
@@ -95,12 +43,19 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     if (method == Method::Pellucid)
     {
       scene.Colors.Apply(mapper, drawable);
-      AddActor(renderer, mapper, options);
+      mapper->SetOpacityArray(drawable.HasImportance ? ImportanceArray : nullptr);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      AddActor(renderer, actor, drawable, options);
       continue;
     }
     for (vtkPolyData* part : drawable.GetLeaves())
     {
-      AddStockActors(renderer, part, mapper->GetEffectiveRadius(), drawable, scene.Colors, options);
+      for (vtkActor* actor :
+        MakeStockActors(part, mapper->GetEffectiveRadius(), drawable, scene.Colors))
+      {
+        AddActor(renderer, actor, drawable, options);
+      }
     }
   }
   renderer->SetBackground(options.Background.data());

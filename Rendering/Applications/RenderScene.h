@@ -22,9 +22,6 @@ struct Scene
 {
   std::vector<Drawable> Drawables;
   Coloring Colors;
-
-  vtkIdType GetNumberOfPoints() const;
-  vtkIdType GetNumberOfLines() const;
 };
 
 /**

@@ -31,25 +31,38 @@ struct View
 };
 
 //------------------------------------------------------------------------------
-View ChooseView(const vtkBoundingBox& box)
+// With z up; other axes take the places of x, y and z in cyclic order.
+View ChooseView(const vtkBoundingBox& box, int upAxis)
 {
+  const auto toWorld = [upAxis](const Vector3& vector)
+  {
+    Vector3 world;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      world[(upAxis + 1 + axis) % 3] = vector[axis];
+    }
+    return world;
+  };
+  const auto length = [&box, upAxis](int axis) { return box.GetLength((upAxis + 1 + axis) % 3); };
+
   const double flat = 1e-3 * box.GetMaxLength();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (box.GetLength(axis) < flat)
+    if (length(axis) < flat)
     {
-      View view{ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
-      view.Direction[axis] = axis == 1 ? -1.0 : 1.0;
-      view.Up[axis == 2 ? 1 : 2] = 1.0;
-      return view;
+      Vector3 direction = { 0.0, 0.0, 0.0 };
+      Vector3 up = { 0.0, 0.0, 0.0 };
+      direction[axis] = axis == 1 ? -1.0 : 1.0;
+      up[axis == 2 ? 1 : 2] = 1.0;
+      return { toWorld(direction), toWorld(up) };
     }
   }
-  const bool xAcross = box.GetLength(0) >= box.GetLength(1);
+  const bool xAcross = length(0) >= length(1);
   const double azimuth = vtkMath::RadiansFromDegrees(AzimuthDegrees + (xAcross ? -90.0 : 0.0));
   const double elevation = vtkMath::RadiansFromDegrees(ElevationDegrees);
-  return { { std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-             std::sin(elevation) },
-    { 0.0, 0.0, 1.0 } };
+  return { toWorld({ std::cos(elevation) * std::cos(azimuth),
+             std::cos(elevation) * std::sin(azimuth), std::sin(elevation) }),
+    toWorld({ 0.0, 0.0, 1.0 }) };
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +176,7 @@ void SetUpCamera(
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkBoundingBox box;
   VisitPoints(scene, [&box](const double* point) { box.AddPoint(point[0], point[1], point[2]); });
-  const View view = ChooseView(box);
+  const View view = ChooseView(box, options.UpAxis);
   const PictureAxes axes(view.Direction, view.Up);
   const double tangent =
     FilledShare * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));

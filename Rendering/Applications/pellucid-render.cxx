@@ -8,10 +8,14 @@
  * on the standard error stream.
  */
 
+#include "ArrayTable.h"
+#include "LineAttributes.h"
+#include "LineSelection.h"
 #include "MessageLog.h"
 #include "PictureFile.h"
 #include "PictureMaking.h"
 #include "RenderError.h"
+#include "SceneImportance.h"
 
 #include <exception>
 #include <iostream>
@@ -23,19 +27,39 @@ namespace
 void Run(const pellucid::RenderOptions& options)
 {
   using namespace pellucid;
+  if (options.ListArrays)
+  {
+    auto drawables = MakeDrawables(ReadInputs(options), options);
+    AddAllAttributes(drawables, options);
+    WriteArrayTable(std::cout, drawables);
+    return;
+  }
   CheckWritable(options.Output);
   if (!options.StatisticsFile.empty())
   {
     CheckWritable(options.StatisticsFile);
   }
-  auto drawables = MakeDrawables(ReadInputs(options.Inputs), options);
+  SceneStatistics statistics;
+  auto drawables = MakeDrawables(ReadInputs(options), options);
+  AddNamedAttributes(drawables, options);
+  for (const Drawable& drawable : drawables)
+  {
+    statistics.InputPoints += drawable.GetNumberOfPoints();
+    statistics.InputLines += drawable.GetNumberOfLines();
+  }
+  SelectLines(drawables, options);
+  for (const Drawable& drawable : drawables)
+  {
+    statistics.SelectedLines += drawable.GetNumberOfLines();
+  }
+  statistics.ImportanceHistogram = AddImportance(drawables, options);
   const Coloring colors(drawables, options.ColorBy);
   const Scene scene{ std::move(drawables), colors };
   const Frame frame = MakePicture(scene, options);
   WritePicture(frame.Picture, options.Output);
   if (!options.StatisticsFile.empty())
   {
-    WriteStatistics(frame.Statistics, options.StatisticsFile);
+    WriteStatistics(statistics, frame.Statistics, options.StatisticsFile);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "vtkTrajectoryNodes.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN

@@ -6,6 +6,7 @@
 #include "HelixScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkElevationFilter.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLookupTable.h"
@@ -338,6 +339,31 @@ bool TestChanges()
   return passed;
 }
 
+// A filter that passes points and cells on and makes new factors each time.
+bool TestFilter()
+{
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputData(MakeData(10, Wave));
+  elevation->SetLowPoint(-1.5, 0.0, 0.0);
+  const auto prepare = [&elevation](OpacityScene& scene)
+  {
+    scene.Mapper->SetInputConnection(elevation->GetOutputPort());
+    scene.Mapper->ScalarVisibilityOff();
+    scene.Mapper->SetOpacityArray("Elevation");
+  };
+  OpacityScene scene(nullptr);
+  prepare(scene);
+  elevation->SetHighPoint(3.0, 0.0, 0.0);
+  const Picture before = scene.RenderExact();
+  elevation->SetHighPoint(1.0, 1.0, 0.0);
+  const Picture after = Picture::Render(scene.Window);
+  OpacityScene fresh(nullptr);
+  prepare(fresh);
+  bool passed = Check(after.GetLargestDifference(before) > 20, "new factors do not show");
+  passed &= Check(fresh.RenderExact() == after, "new factors are not as in a new scene");
+  return passed;
+}
+
 bool TestVectorsAsFactors()
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData(5, Wave);
@@ -428,6 +454,7 @@ int TestTrajectoryMapperOpacity(int, char*[])
   passed &= TestAsAlphaOfColors();
   passed &= TestZeroDrawsNothing();
   passed &= TestChanges();
+  passed &= TestFilter();
   passed &= TestVectorsAsFactors();
   passed &= TestIsTranslucent();
   passed &= TestNoCostWithoutArray();

@@ -1,32 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of pellucid-render: every option's effect on the picture, every refusal.
+"""The command line of pellucid-render: every option's effect on the picture, every refusal."""
 
-The program is the one that the environment variable PELLUCID_RENDER names; the samples are those of
-the source tree.
-"""
-
-import json
 import os
-import pathlib
-import subprocess
-import tempfile
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
     vtkTable,
 )
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter, vtkTableWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import (
@@ -35,14 +23,14 @@ from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataWriter,
 )
 
-PROGRAM = os.environ["PELLUCID_RENDER"]
-DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
-BACKGROUND = (0, 0, 0)
+from render_program import BACKGROUND, DATA, RenderTest, make_lines, write
+
 FRONT = ("--camera-position", "0,0,10", "--focal-point", "0,0,0", "--view-up", "0,1,0")
-NEAR = ("--camera-position", "0,0,4", "--focal-point", "0,0,0", "--view-up", "0,1,0")
 KEYS = [
     "input_points",
     "input_lines",
+    "selected_lines",
+    "importance_histogram",
     "fragments",
     "longest_list",
     "buffer_bytes",
@@ -51,105 +39,6 @@ KEYS = [
     "renderer",
     "opengl",
 ]
-
-
-def write(writer, data, path, **properties):
-    writer.SetInputData(data)
-    writer.SetFileName(str(path))
-    for name, value in properties.items():
-        getattr(writer, "Set" + name)(value)
-    writer.Write()
-
-
-def read_picture(path):
-    """Rows from the top, columns, components."""
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
-    return pixels.reshape(height, width, -1)[::-1].astype(int)
-
-
-def make_lines():
-    """A horizontal and, behind it, a vertical line in the plane of the picture."""
-    lines = vtkPolyData()
-    points = vtkPoints()
-    for point in ((-1, 0, 0.2), (1, 0, 0.2), (0, -1, -0.2), (0, 1, -0.2)):
-        points.InsertNextPoint(point)
-    cells = vtkCellArray()
-    for first in (0, 2):
-        cells.InsertNextCell(2)
-        cells.InsertCellPoint(first)
-        cells.InsertCellPoint(first + 1)
-    lines.SetPoints(points)
-    lines.SetLines(cells)
-    for data, name, values in (
-        (lines.GetPointData(), "Height", (0, 0, 1, 1)),
-        (lines.GetPointData(), "Constant", (1, 1, 1, 1)),
-        (lines.GetCellData(), "Line", (0, 1)),
-    ):
-        array = vtkFloatArray()
-        array.SetName(name)
-        for value in values:
-            array.InsertNextValue(value)
-        data.AddArray(array)
-    return lines
-
-
-class RenderTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
-        cls.lines = cls.folder / "lines.vtk"
-        write(vtkPolyDataWriter(), make_lines(), cls.lines, FileType=2)
-        source = vtkSphereSource()
-        source.SetRadius(0.6)
-        source.Update()
-        cls.sphere = source.GetOutput()
-
-    def run_program(self, *arguments, environment=None):
-        return subprocess.run(
-            [PROGRAM, *map(str, arguments)],
-            capture_output=True,
-            text=True,
-            timeout=120,
-            env={**os.environ, **(environment or {})},
-        )
-
-    def render(self, *arguments, environment=None):
-        """The picture and the statistics; the run must be silent but for progress."""
-        picture = self.folder / "picture.png"
-        statistics = self.folder / "statistics.json"
-        picture.unlink(missing_ok=True)
-        result = self.run_program(
-            *arguments, "-o", picture, "--statistics", statistics, environment=environment)
-        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
-        for line in result.stderr.splitlines():
-            self.assertRegex(line, r"^(Tracing streamlines|Reading .*|Drawing): \d+ %$")
-        return read_picture(picture), json.loads(statistics.read_text())
-
-    def draw_lines(self, *arguments):
-        """From the front, where arguments do not say otherwise."""
-        view = () if "--camera-position" in arguments else NEAR
-        return self.render(self.lines, "--size", "120x90", "--background", "0,0,0", *view,
-                           *arguments)[0]
-
-    def refuse(self, code, text, *arguments, environment=None, output=None):
-        """One line on the error stream that holds the text, and no picture."""
-        picture = pathlib.Path(output or self.folder / "refused.png")
-        if not output:
-            picture.unlink(missing_ok=True)
-        result = self.run_program(*arguments, "-o", picture, environment=environment)
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stdout, "")
-        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
-        self.assertTrue(result.stderr.startswith("pellucid-render: "), result.stderr)
-        self.assertIn(text, result.stderr)
-        self.assertFalse(picture.exists())
 
 
 class TestPicture(RenderTest):
@@ -275,6 +164,8 @@ class TestPicture(RenderTest):
         self.assertEqual(list(statistics), KEYS)
         self.assertEqual(statistics["input_points"], 4)
         self.assertEqual(statistics["input_lines"], 2)
+        self.assertEqual(statistics["selected_lines"], 2)
+        self.assertIsNone(statistics["importance_histogram"])
         self.assertGreater(statistics["fragments"], 100)
         self.assertEqual(statistics["longest_list"], 2)
         self.assertGreater(statistics["buffer_bytes"], 0)
@@ -496,7 +387,7 @@ class TestInputs(RenderTest):
                 self.assertRegex(line, "^pellucid-render: warning: .*finite")
 
     def test_unknown_array_names_those_that_exist(self):
-        self.refuse(1, "Constant (points), Height (points), Line (cells)",
+        self.refuse(1, "Constant (points), Curvature (points, computed), Height (points), Line (lines)",
                     self.lines, "--color-by", "Temperature")
 
 
@@ -525,6 +416,7 @@ class TestUsage(RenderTest):
             ("--method", "--method", "magic"),
             ("--bogus", "--bogus"),
             ("--compare", "--compare", "--reference"),
+            ("--reference", "--reference", "--method", "vtk"),
         ):
             with self.subTest(arguments=arguments):
                 self.refuse(2, text, self.lines, *arguments)
