@@ -55,7 +55,7 @@ void LowerSegmentOpacities(const std::vector<OpacityFragment<Real>>& list,
 }
 
 /** The neighbours of segment i are ids[offsets[i]] to ids[offsets[i + 1] - 1]: two or one along a
- * line, eight on a surface, none for a point. */
+ * line, eight on a surface, none for a point. There is one offset more than there are segments. */
 struct SegmentNeighbors
 {
   std::vector<std::size_t> offsets{ 0 };

@@ -26,6 +26,7 @@ const Vector None(0.0);
 double Variance(const std::vector<Vector>& tangents)
 {
   std::vector<Fragment> fragments;
+  fragments.reserve(tangents.size());
   for (const auto& tangent : tangents)
   {
     fragments.push_back({ 1.0, 0.5, tangent });
