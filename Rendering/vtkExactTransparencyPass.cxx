@@ -11,6 +11,7 @@
 #include "Private/vtkRoundedConeMapper.h"
 #include "Private/vtkSegmentOpacities.h"
 #include "Private/vtkStageTimers.h"
+#include "vtkFloatArray.h"
 #include "vtkFragmentAppendDec.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentListsDec.h"
@@ -94,6 +95,7 @@ struct vtkExactTransparencyPass::Internals
 
   vtkFragmentTiles Tiles;
   vtkOptimizedScene Scene;
+  std::uint32_t LongLists = 0; ///< of the tile, left to the CPU
 
   // One frame.
   bool Optimize = false;
@@ -176,6 +178,30 @@ vtkExactTransparencyPass::~vtkExactTransparencyPass()
 vtkTransparencyStatistics* vtkExactTransparencyPass::GetStatistics()
 {
   return this->Statistics;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFloatArray> vtkExactTransparencyPass::GetOptimizedOpacities(vtkProp* actor)
+{
+  Internals& internal = *this->Internal;
+  const vtkOptimizedScene::Member* member =
+    internal.Optimize && internal.Window ? internal.Scene.Find(actor) : nullptr;
+  if (!member)
+  {
+    return nullptr;
+  }
+  internal.Window->MakeCurrent();
+  const std::vector<float> opacities = internal.GPU->Opacities.Read();
+  auto result = vtkSmartPointer<vtkFloatArray>::New();
+  for (const vtkOptimizedScene::Part& part : member->Parts)
+  {
+    const std::uint32_t count = vtkOptimizedScene::CountSegments(part.Data);
+    for (std::uint32_t segment = 0; segment < count; ++segment)
+    {
+      result->InsertNextValue(opacities[part.FirstSegment + segment]);
+    }
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -554,9 +580,10 @@ void vtkExactTransparencyPass::Sort()
     internal.State->PopFramebufferBindings();
     const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
     longest = counters.LongestList;
-    if (counters.LongLists > 0)
+    internal.LongLists = counters.LongLists;
+    if (internal.LongLists > 0 && !internal.Optimize)
     {
-      longest = gpu.Lists.CollapseLongLists(counters.LongLists, gpu.Opaque.GetSamples());
+      longest = gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), {});
     }
   }
   this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
@@ -573,8 +600,15 @@ void vtkExactTransparencyPass::Solve()
   gpu.Opacities.BindTables();
   gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile, this->Statistics->GetLongestList());
   internal.State->PopFramebufferBindings();
-  this->Statistics->SetSolvedFragments(
-    this->Statistics->GetSolvedFragments() + gpu.Lists.ReadCounters().SolvedFragments);
+  vtkIdType solved = gpu.Lists.ReadCounters().SolvedFragments;
+  if (internal.LongLists > 0)
+  {
+    const auto opacities =
+      gpu.Lists.SolveLongLists(internal.LongLists, gpu.Opaque.GetSamples(), internal.Scene);
+    gpu.Opacities.Lower(opacities);
+    solved += static_cast<vtkIdType>(opacities.size());
+  }
+  this->Statistics->SetSolvedFragments(this->Statistics->GetSolvedFragments() + solved);
 }
 
 //------------------------------------------------------------------------------
@@ -597,6 +631,12 @@ void vtkExactTransparencyPass::Resolve()
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
   if (internal.Optimize)
   {
+    if (internal.LongLists > 0)
+    {
+      const vtkIdType longest = gpu.Lists.CollapseLongLists(
+        internal.LongLists, gpu.Opaque.GetSamples(), gpu.Opacities.Read());
+      this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
+    }
     gpu.Opacities.BindOpacities();
   }
   gpu.Stages.Resolve(internal.Window, gpu.Opaque, internal.Tile);

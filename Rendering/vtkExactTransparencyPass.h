@@ -51,6 +51,7 @@
 #include "vtkNew.h" // for the statistics
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPellucidRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for GetOptimizedOpacities
 #include "vtkTransparencyStatistics.h"  // for GetStatistics
 
 #include <memory> // for std::unique_ptr
@@ -58,6 +59,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkFloatArray;
 class vtkRenderWindow;
 struct vtkPixelRectangle;
 
@@ -80,6 +82,13 @@ public:
   vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
+
+  /**
+   * The opacities of the segments of an actor (see vtkOpacityOptimization) that the last frame was
+   * drawn with, smoothed: one component in [0,1], or -1 for a segment that no fragment has shown.
+   * Null when the actor took no part, or nothing was to be optimised. Waits for the frame.
+   */
+  vtkSmartPointer<vtkFloatArray> GetOptimizedOpacities(vtkProp* actor);
 
   /** What the last frame cost. Never null; the same object for the life of the pass. */
   vtkTransparencyStatistics* GetStatistics();

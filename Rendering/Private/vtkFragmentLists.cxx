@@ -38,7 +38,7 @@ void ForgetErrors()
 
 static_assert(sizeof(vtkIdType) == 8, "fragment counts need VTK_USE_64BIT_IDS");
 
-/** Maps a whole buffer for the life of the object. */
+/** Maps a whole buffer, if there is one, for the life of the object. */
 template <typename T>
 class MappedBuffer
 {
@@ -46,6 +46,10 @@ public:
   MappedBuffer(GLuint handle, vtkIdType bytes)
     : Handle(handle)
   {
+    if (handle == 0)
+    {
+      return;
+    }
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, handle);
     this->Data = static_cast<T*>(
       glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT));
@@ -189,30 +193,67 @@ vtkFragmentLists::Counters vtkFragmentLists::ReadCounters() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFragmentLists::CollapseLongLists(std::uint32_t count, int samples)
+template <typename Function>
+void vtkFragmentLists::ForLongLists(
+  std::uint32_t count, int samples, bool optimize, Function&& work)
 {
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   MappedBuffer<std::uint32_t> heads(this->Handles[Heads], this->Bytes[Heads]);
+  MappedBuffer<std::uint32_t> entries(this->Handles[LongLists], this->Bytes[LongLists]);
   MappedBuffer<Link> links(this->Handles[Links], this->Bytes[Links]);
   MappedBuffer<Color> colors(this->Handles[Colors], this->Bytes[Colors]);
-  MappedBuffer<std::uint32_t> entries(this->Handles[LongLists], this->Bytes[LongLists]);
-  if (!heads.Data || !links.Data || !colors.Data || !entries.Data)
+  MappedBuffer<Importance> importances(
+    optimize ? this->Handles[Importances] : 0, this->Bytes[Importances]);
+  MappedBuffer<Position> positions(optimize ? this->Handles[Positions] : 0, this->Bytes[Positions]);
+  if (!heads.Data || !entries.Data || !links.Data || !colors.Data ||
+    (optimize && (!importances.Data || !positions.Data)))
   {
-    return 0;
+    return;
   }
-  std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
-
-  std::vector<vtkIdType> lengths(count);
+  const Nodes nodes{ links.Data, colors.Data, importances.Data, positions.Data };
+  const std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const std::uint32_t* entry = entries.Data + i * (1 + samples);
-        vtkLongFragmentList list(links.Data, colors.Data, pixelHeads[entry[0]]);
-        lengths[i] = list.GetLength();
-        list.Collapse(entry + 1, samples);
+        vtkLongFragmentList list(nodes, pixelHeads[entry[0]]);
+        work(i, list, entry + 1);
       }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSegmentOpacities::SegmentOpacity> vtkFragmentLists::SolveLongLists(
+  std::uint32_t count, int samples, const vtkOptimizedScene& scene)
+{
+  std::vector<std::vector<vtkSegmentOpacities::SegmentOpacity>> solutions(count);
+  this->ForLongLists(count, samples, true,
+    [&](vtkIdType i, const vtkLongFragmentList& list, const std::uint32_t*)
+    { list.Solve(scene, solutions[i]); });
+  std::vector<vtkSegmentOpacities::SegmentOpacity> all;
+  for (const auto& solution : solutions)
+  {
+    all.insert(all.end(), solution.begin(), solution.end());
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::CollapseLongLists(
+  std::uint32_t count, int samples, const std::vector<float>& opacities)
+{
+  std::vector<vtkIdType> lengths(count);
+  this->ForLongLists(count, samples, !opacities.empty(),
+    [&](vtkIdType i, vtkLongFragmentList& list, const std::uint32_t* opaqueLimits)
+    {
+      lengths[i] = list.GetLength();
+      if (!opacities.empty())
+      {
+        list.Fade(opacities);
+      }
+      list.Collapse(opaqueLimits, samples);
     });
   return *std::max_element(lengths.begin(), lengths.end());
 }

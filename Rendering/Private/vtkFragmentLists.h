@@ -21,13 +21,17 @@
 #define vtkFragmentLists_h
 
 #include "vtkOpenGLError.h" // for OpenGL itself, through the loader that this VTK uses
+#include "vtkSegmentOpacities.h"
 #include "vtkType.h"
 
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+class vtkOptimizedScene;
 
 class vtkFragmentLists
 {
@@ -76,6 +80,15 @@ public:
     std::uint32_t Share;
   };
 
+  /** The nodes of all lists; importances and positions are null where they are not stored. */
+  struct Nodes
+  {
+    Link* Links = nullptr;
+    Color* Colors = nullptr;
+    Importance* Importances = nullptr;
+    Position* Positions = nullptr;
+  };
+
   vtkFragmentLists() = default;
   ~vtkFragmentLists() = default;
   vtkFragmentLists(const vtkFragmentLists&) = delete;
@@ -105,11 +118,19 @@ public:
   Counters ReadCounters() const;
 
   /**
-   * Sort and composite on the CPU the lists that were too long for the shader. Each becomes one
-   * node for every group of fragments that the same samples see, so that the resolve composites it
-   * like any other. Returns the longest length.
+   * Find on the CPU the optimal opacities in the lists that were too long for the shader.
    */
-  vtkIdType CollapseLongLists(std::uint32_t count, int samples);
+  std::vector<vtkSegmentOpacities::SegmentOpacity> SolveLongLists(
+    std::uint32_t count, int samples, const vtkOptimizedScene& scene);
+
+  /**
+   * Sort and composite on the CPU the lists that were too long for the shader, with the optimised
+   * opacities of vtkSegmentOpacities, or where these are empty without. Each list becomes one node
+   * for every group of fragments that the same samples see, so that the resolve composites it like
+   * any other. Returns the longest length.
+   */
+  vtkIdType CollapseLongLists(
+    std::uint32_t count, int samples, const std::vector<float>& opacities);
 
   void Release();
 
@@ -125,6 +146,9 @@ private:
     NumberOfBuffers
   };
   bool Allocate(Buffer buffer, vtkIdType bytes);
+
+  template <typename Function>
+  void ForLongLists(std::uint32_t count, int samples, bool optimize, Function&& work);
 
   std::array<GLuint, NumberOfBuffers> Handles{};
   std::array<vtkIdType, NumberOfBuffers> Bytes{};

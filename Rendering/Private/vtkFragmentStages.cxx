@@ -96,7 +96,8 @@ void vtkFragmentStages::Solve(vtkOpenGLRenderWindow* window, const vtkOpaqueLaye
   solve(1);
   if (longestList > vtkFragmentLists::RunLength)
   {
-    solve(vtkFragmentLists::MaximumShaderList / vtkFragmentLists::RunLength);
+    // The sort takes one run more than the limit before it leaves a list to the CPU.
+    solve(vtkFragmentLists::MaximumShaderList / vtkFragmentLists::RunLength + 1);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

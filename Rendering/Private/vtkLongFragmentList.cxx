@@ -3,6 +3,9 @@
 
 #include "vtkLongFragmentList.h"
 
+#include "OpacitySolution.h"
+#include "vtkOptimizedScene.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,12 +25,17 @@ struct Layer
   double Alpha = 0.0;
 };
 
+float ToFloat(std::uint32_t bits)
+{
+  float number = 0.0f;
+  std::memcpy(&number, &bits, sizeof(number));
+  return number;
+}
+
 // The inverse of pellucidPackColor in glsl/vtkFragmentListsDec.glsl.
 Layer Unpack(const Color& color)
 {
-  const std::uint32_t alphaBits = (color.High >> 7) << 6;
-  float alpha = 0.0f;
-  std::memcpy(&alpha, &alphaBits, sizeof(alpha));
+  const float alpha = ToFloat((color.High >> 7) << 6);
   const std::array<std::uint32_t, 3> rgb{ (color.Low >> 26) | ((color.High & 127u) << 6),
     (color.Low >> 13) & 8191u, color.Low & 8191u };
   return { { rgb[0] / 8191.0, rgb[1] / 8191.0, rgb[2] / 8191.0 }, alpha };
@@ -77,28 +85,72 @@ private:
 }
 
 //------------------------------------------------------------------------------
-vtkLongFragmentList::vtkLongFragmentList(
-  vtkFragmentLists::Link* links, vtkFragmentLists::Color* colors, std::uint32_t head)
-  : Links(links)
-  , Colors(colors)
+vtkLongFragmentList::vtkLongFragmentList(const vtkFragmentLists::Nodes& nodes, std::uint32_t head)
+  : Nodes(nodes)
   , Head(head)
 {
-  for (std::uint32_t node = head; node != 0; node = links[node].Next)
+  for (std::uint32_t node = head; node != 0; node = nodes.Links[node].Next)
   {
-    this->Fragments.push_back({ links[node].DepthBits, colors[node] });
+    Fragment fragment{ nodes.Links[node].DepthBits, nodes.Colors[node], {}, {}, 1.0 };
+    if (nodes.Importances)
+    {
+      fragment.Importance = nodes.Importances[node];
+      fragment.Position = nodes.Positions[node];
+    }
+    this->Fragments.push_back(fragment);
+  }
+  // The same order as isBefore in glsl/vtkFragmentSortFS.glsl.
+  std::sort(this->Fragments.begin(), this->Fragments.end(),
+    [](const Fragment& a, const Fragment& b)
+    {
+      return std::tie(
+               a.DepthBits, a.Color.High, a.Color.Low, a.Importance.Bits, a.Importance.Segment) <
+        std::tie(b.DepthBits, b.Color.High, b.Color.Low, b.Importance.Bits, b.Importance.Segment);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkLongFragmentList::Solve(
+  const vtkOptimizedScene& scene, std::vector<vtkSegmentOpacities::SegmentOpacity>& opacities) const
+{
+  std::vector<pellucid::OpacityParameters<double>> parameters;
+  for (const auto& actor : scene.GetParameters())
+  {
+    parameters.push_back(
+      { actor.OcclusionWeight, actor.ClutterWeight, 0.5 * actor.Exponent, !actor.SelfOcclusion });
+  }
+  std::vector<pellucid::OpacityFragment<double>> list;
+  for (const Fragment& fragment : this->Fragments)
+  {
+    const std::uint32_t segment = fragment.Importance.Segment;
+    list.push_back({ ToFloat(fragment.Importance.Bits), segment,
+      segment == 0 ? nullptr : &parameters[scene.GetActors()[segment]] });
+  }
+  std::vector<double> solution;
+  pellucid::SolveOpacities(list, solution);
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    if (list[i].parameters && !pellucid::IsSelfOcclusion(list, i))
+    {
+      opacities.push_back(
+        { this->Fragments[i].Importance.Segment, static_cast<float>(solution[i]) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLongFragmentList::Fade(const std::vector<float>& opacities)
+{
+  for (Fragment& fragment : this->Fragments)
+  {
+    fragment.Fading = vtkSegmentOpacities::Interpolate(
+      opacities, fragment.Position.Opacity, fragment.Position.Share);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkLongFragmentList::Collapse(const std::uint32_t* opaqueLimits, int samples)
 {
-  // The same order as isBefore in glsl/vtkFragmentSortFS.glsl.
-  std::sort(this->Fragments.begin(), this->Fragments.end(),
-    [](const auto& a, const auto& b)
-    {
-      return std::tie(a.DepthBits, a.Color.High, a.Color.Low) <
-        std::tie(b.DepthBits, b.Color.High, b.Color.Low);
-    });
   std::vector<std::uint32_t> limits(opaqueLimits, opaqueLimits + samples);
   std::sort(limits.begin(), limits.end());
 
@@ -114,15 +166,24 @@ void vtkLongFragmentList::Collapse(const std::uint32_t* opaqueLimits, int sample
           [&limit](const Fragment& candidate) { return candidate.DepthBits > *limit; });
     Accumulator accumulator;
     std::for_each(fragment, groupEnd,
-      [&accumulator](const Fragment& member) { accumulator.Add(Unpack(member.Color)); });
-    this->Colors[node] = Pack(accumulator.GetLayer());
-    this->Links[node].DepthBits = fragment->DepthBits;
+      [&accumulator](const Fragment& member)
+      {
+        Layer layer = Unpack(member.Color);
+        layer.Alpha *= member.Fading;
+        accumulator.Add(layer);
+      });
+    this->Nodes.Colors[node] = Pack(accumulator.GetLayer());
+    this->Nodes.Links[node].DepthBits = fragment->DepthBits;
+    if (this->Nodes.Positions)
+    {
+      this->Nodes.Positions[node] = {}; // not to be faded again
+    }
     fragment = groupEnd;
     if (fragment == this->Fragments.end())
     {
-      this->Links[node].Next = 0;
+      this->Nodes.Links[node].Next = 0;
     }
-    node = this->Links[node].Next;
+    node = this->Nodes.Links[node].Next;
   }
 }
 

@@ -9,25 +9,35 @@
 #define vtkLongFragmentList_h
 
 #include "vtkFragmentLists.h"
+#include "vtkSegmentOpacities.h"
 
 #include <cstdint>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkOptimizedScene;
+
 class vtkLongFragmentList
 {
 public:
-  /** The list that starts at node `head`, in any order. */
-  vtkLongFragmentList(
-    vtkFragmentLists::Link* links, vtkFragmentLists::Color* colors, std::uint32_t head);
+  /** The list that starts at node `head`, in any order; it is read and sorted, not changed. */
+  vtkLongFragmentList(const vtkFragmentLists::Nodes& nodes, std::uint32_t head);
 
   vtkIdType GetLength() const { return static_cast<vtkIdType>(this->Fragments.size()); }
 
+  /** Append the optimal opacity of each fragment, in double precision, with its segment. */
+  void Solve(const vtkOptimizedScene& scene,
+    std::vector<vtkSegmentOpacities::SegmentOpacity>& opacities) const;
+
+  /** Multiply the opacity of each fragment by the optimised one; see
+   * glsl/vtkOptimizedOpacityDec.glsl. */
+  void Fade(const std::vector<float>& opacities);
+
   /**
-   * Sort the list, composite in double precision all fragments between two neighbouring opaque
-   * depths into one node, and link these nodes from the head on. `opaqueLimits` are the farthest
-   * depths, as bits, at which a fragment is in front of each sample.
+   * Composite in double precision all fragments between two neighbouring opaque depths into one
+   * node, and link these nodes from the head on. `opaqueLimits` are the farthest depths, as
+   * bits, at which a fragment is in front of each sample.
    */
   void Collapse(const std::uint32_t* opaqueLimits, int samples);
 
@@ -36,10 +46,12 @@ private:
   {
     std::uint32_t DepthBits;
     vtkFragmentLists::Color Color;
+    vtkFragmentLists::Importance Importance;
+    vtkFragmentLists::Position Position;
+    double Fading;
   };
 
-  vtkFragmentLists::Link* Links;
-  vtkFragmentLists::Color* Colors;
+  vtkFragmentLists::Nodes Nodes;
   std::uint32_t Head;
   std::vector<Fragment> Fragments;
 };

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ constexpr GLuint TargetBinding = 3;
 constexpr GLuint CornersBinding = 7;
 
 constexpr std::uint32_t Unseen = 0xffffffffu;
+constexpr std::uint32_t TriangleBit = 0x80000000u;
 
 // How far a segment moves towards its neighbours in one step. With 1 the opacities of two
 // neighbours would be exchanged; 1/2 gives the binomial weights 1/4, 1/2, 1/4 on a line.
@@ -60,9 +62,9 @@ std::string vtkSegmentOpacities::GetShaderDefinitions()
   define("SOURCE_BINDING", SourceBinding);
   define("TARGET_BINDING", TargetBinding);
   define("CORNERS_BINDING", CornersBinding);
-  define("UNSEEN", "0xffffffffu");
+  define("UNSEEN", std::to_string(Unseen) + "u");
   define("RELAXATION", Relaxation);
-  define("TRIANGLE", "0x80000000u");
+  define("TRIANGLE", std::to_string(TriangleBit) + "u");
   return definitions.str();
 }
 
@@ -168,6 +170,69 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Source]);
     this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners, 0);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Lower(const std::vector<SegmentOpacity>& opacities)
+{
+  std::vector<std::uint32_t> segments(2 * this->NumberOfSegments);
+  const auto bytes = static_cast<GLsizeiptr>(segments.size() * sizeof(segments.front()));
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Segments]);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes, segments.data());
+  for (const SegmentOpacity& opacity : opacities)
+  {
+    // Floats of that sign order as their bits do.
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &opacity.Opacity, sizeof(bits));
+    std::uint32_t& least = segments[2 * opacity.Segment];
+    least = std::min(least, bits);
+  }
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes, segments.data());
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSegmentOpacities::Read() const
+{
+  std::vector<float> opacities(this->NumberOfSegments + this->NumberOfCorners);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Source]);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+    static_cast<GLsizeiptr>(opacities.size() * sizeof(float)), opacities.data());
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  return opacities;
+}
+
+//------------------------------------------------------------------------------
+double vtkSegmentOpacities::Interpolate(
+  const std::vector<float>& opacities, std::uint32_t first, std::uint32_t share)
+{
+  std::array<double, 3> shares{ { 1.0, 0.0, 0.0 } };
+  if ((share & TriangleBit) != 0)
+  {
+    shares[1] = (share & 32767u) / 32767.0;
+    shares[2] = ((share >> 15) & 32767u) / 32767.0;
+    shares[0] = std::max(1.0 - shares[1] - shares[2], 0.0);
+  }
+  else
+  {
+    float second = 0.0f;
+    std::memcpy(&second, &share, sizeof(second));
+    shares[1] = second;
+    shares[0] = 1.0 - shares[1];
+  }
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    if (shares[i] > 0.0 && opacities[first + i] >= 0.0f)
+    {
+      sum += shares[i] * opacities[first + i];
+      total += shares[i];
+    }
+  }
+  return total > 0.0 ? sum / total : 1.0;
 }
 
 //------------------------------------------------------------------------------

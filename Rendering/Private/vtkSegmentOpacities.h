@@ -23,7 +23,9 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -33,6 +35,13 @@ class vtkOptimizedScene;
 class vtkSegmentOpacities
 {
 public:
+  /** An opacity that a segment's fragment has. */
+  struct SegmentOpacity
+  {
+    std::uint32_t Segment;
+    float Opacity;
+  };
+
   vtkSegmentOpacities() = default;
   ~vtkSegmentOpacities() = default;
   vtkSegmentOpacities(const vtkSegmentOpacities&) = delete;
@@ -56,6 +65,14 @@ public:
    * saves the current one.
    */
   void Smooth(vtkOpenGLRenderWindow* window, int iterations);
+
+  /** Lower the least opacities of segments to these; between the solve and Smooth(). */
+  void Lower(const std::vector<SegmentOpacity>& opacities);
+
+  /** The opacities that the resolve looks up, and how it does. */
+  std::vector<float> Read() const;
+  static double Interpolate(
+    const std::vector<float>& opacities, std::uint32_t first, std::uint32_t share);
 
   /** Bind what the resolve needs. */
   void BindOpacities() const;
