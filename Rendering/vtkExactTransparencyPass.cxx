@@ -598,7 +598,7 @@ void vtkExactTransparencyPass::Solve()
   internal.State->PushFramebufferBindings();
   this->BindGatherFramebuffer();
   gpu.Opacities.BindTables();
-  gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile, this->Statistics->GetLongestList());
+  gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile);
   internal.State->PopFramebufferBindings();
   vtkIdType solved = gpu.Lists.ReadCounters().SolvedFragments;
   if (internal.LongLists > 0)

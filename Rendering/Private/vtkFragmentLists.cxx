@@ -87,6 +87,8 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool optimize)
   define("OPTIMIZE", optimize ? 1 : 0);
   define("SAMPLES", samples);
   define("MAXIMUM_SHADER_LIST", MaximumShaderList);
+  // The sort takes up to one run more before it leaves a list to the CPU.
+  define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
   define("RUN_LENGTH", RunLength);
   define("LIST_LEVELS", GetNumberOfListLevels());
   define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");

@@ -85,20 +85,10 @@ void vtkFragmentStages::Sort(
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentStages::Solve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, vtkIdType longestList)
+void vtkFragmentStages::Solve(
+  vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  const auto solve = [&](int blocks)
-  {
-    this->Draw(window, opaque, tile, vtkFragmentSolveFS,
-      "#define PELLUCID_BLOCKS " + std::to_string(blocks) + "\n");
-  };
-  solve(1);
-  if (longestList > vtkFragmentLists::RunLength)
-  {
-    // The sort takes one run more than the limit before it leaves a list to the CPU.
-    solve(vtkFragmentLists::MaximumShaderList / vtkFragmentLists::RunLength + 1);
-  }
+  this->Draw(window, opaque, tile, vtkFragmentSolveFS);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

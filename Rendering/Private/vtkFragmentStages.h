@@ -35,11 +35,11 @@ public:
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
 
   /**
-   * Find the optimal opacity of the fragments of sorted lists, whose longest is `longestList`, and
-   * from these the least one of each segment. Framebuffer as for Sort.
+   * Find the optimal opacity of the fragments of sorted lists, and of these the least one of each
+   * segment. Framebuffer as for Sort.
    */
-  void Solve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, vtkIdType longestList);
+  void Solve(
+    vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
 
   /**
    * Composite the sorted lists over the opaque layer into the current framebuffer. May be repeated:

@@ -4,47 +4,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Solve: the opacity of each fragment by equation 9 of T. Guenther et al., Decoupled Opacity
-// Optimization (2017), and of these the least of each segment. Lists up to PELLUCID_RUN_LENGTH are
-// solved with PELLUCID_BLOCKS 1, longer ones in a second draw, block by block.
+// Optimization (2017), and of these the least of each segment.
 //
 // Reads: heads, sorted links, importances, actors. Writes: the least opacity of segments, the number of
 // fragments that were solved. No colour output.
 //
-// Sums behind a fragment are added up from the back. Algorithm 1 of the paper takes them as a difference, which
-// cancels, and turns negative.
+// As Algorithm 1 of the paper, the sum behind a fragment is what the sum over the list leaves. In single
+// precision this cancels; in double precision the squares are exact, and the sums of the lists that a
+// shader takes differ by less than 1e-12. (Sums from the back need an array, which costs twice the time.)
 
 //VTK::Pellucid::Lists
 //VTK::Pellucid::Importance
 //VTK::Pellucid::Segments
 
-// The fragments of one block that count; importance 0 of an actor that takes no part does not.
-struct Block
+// Whether a fragment is solved and weighs in the sums; `previous` is the segment in front of it
+bool counts(uvec2 fragment, uint previous)
 {
-  uint segments[PELLUCID_RUN_LENGTH];
-  float importances[PELLUCID_RUN_LENGTH];
-  int count;
-};
+  return fragment.y != 0u &&
+    (fragment.y != previous || pellucidActors[pellucidSegments[fragment.y].y].selfOcclusion != 0u);
+}
 
-// Reads up to PELLUCID_RUN_LENGTH nodes and moves on; `previous` is the segment in front.
-void readBlock(inout uint node, inout uint previous, out Block block)
+double square(uvec2 fragment)
 {
-  block.count = 0;
-  block.segments[0] = 0u; // compilers warn of arrays that are first written by a variable index
-  block.importances[0] = 0.0;
-  for (int i = 0; i < PELLUCID_RUN_LENGTH && node != 0u; ++i)
-  {
-    uvec2 fragment = pellucidImportances[node];
-    bool again = fragment.y == previous &&
-      pellucidActors[pellucidSegments[fragment.y].y].selfOcclusion == 0u;
-    if (fragment.y != 0u && !again)
-    {
-      block.segments[block.count] = fragment.y;
-      block.importances[block.count] = uintBitsToFloat(fragment.x);
-      ++block.count;
-    }
-    previous = fragment.y;
-    node = pellucidLinks[node].x;
-  }
+  double importance = double(uintBitsToFloat(fragment.x));
+  return importance * importance;
 }
 
 // x^y for x in [0,1], y > 0: whole powers by multiplication, since pow() of some drivers keeps 5 digits
@@ -60,95 +43,59 @@ float power(float x, float y)
   return x == 0.0 ? 0.0 : result;
 }
 
-// Squared importances of the blocks before and behind go in; the sum of those before comes out
-// with this block added.
-void solveBlock(Block block, inout float front, float behindBlock)
-{
-  float behind[PELLUCID_RUN_LENGTH];
-  behind[0] = 0.0;
-  float sum = behindBlock;
-  for (int i = block.count - 1; i >= 0; --i)
-  {
-    behind[i] = sum;
-    sum += block.importances[i] * block.importances[i];
-  }
-  float within = 0.0;
-  atomicAdd(pellucidSolvedCount, uint(block.count));
-  for (int i = 0; i < block.count; ++i)
-  {
-    uint segment = block.segments[i];
-    float importance = block.importances[i];
-    PellucidActor actor = pellucidActors[pellucidSegments[segment].y];
-    float energy = actor.clutterWeight * (front + within) + actor.occlusionWeight * behind[i];
-    float opacity = 1.0 / (1.0 + power(1.0 - importance, actor.exponent) * energy);
-    uint bits = floatBitsToUint(opacity);
-    if (bits < pellucidSegments[segment].x)
-    {
-      atomicMin(pellucidSegments[segment].x, bits);
-    }
-    within += importance * importance;
-  }
-  front += within;
-}
-
-float sumOfSquares(Block block)
-{
-  float sum = 0.0;
-  for (int i = 0; i < block.count; ++i)
-  {
-    sum += block.importances[i] * block.importances[i];
-  }
-  return sum;
-}
-
 void main()
 {
   int pixel = pellucidPixelIndex(ivec2(gl_FragCoord.xy));
-  uint node = pixel < 0 ? 0u : pellucidHeads[pixel];
-  if (node == 0u)
-  {
-    return;
-  }
-  uint start = node;
+  uint first = pixel < 0 ? 0u : pellucidHeads[pixel];
+  double behind = 0.0;
+  uint length = 0u;
+  uint solved = 0u;
   uint previous = 0u;
-  Block block;
-  float front = 0.0;
-#if PELLUCID_BLOCKS == 1
-  readBlock(node, previous, block);
-  if (node == 0u)
+  uint node = first;
+  for (; node != 0u && length < uint(PELLUCID_LONGEST_SORTED_LIST); ++length)
   {
-    solveBlock(block, front, 0.0);
+    uvec2 fragment = pellucidImportances[node];
+    if (counts(fragment, previous))
+    {
+      behind += square(fragment);
+      ++solved;
+    }
+    previous = fragment.y;
+    node = pellucidLinks[node].x;
   }
-#else
-  uint starts[PELLUCID_BLOCKS];
-  uint before[PELLUCID_BLOCKS];
-  float sums[PELLUCID_BLOCKS];
-  int count = 0;
-  while (node != 0u && count < PELLUCID_BLOCKS)
+  if (solved == 0u || node != 0u)
   {
-    starts[count] = node;
-    before[count] = previous;
-    readBlock(node, previous, block);
-    sums[count] = sumOfSquares(block);
-    ++count;
+    return; // nothing to do, or left to the CPU
   }
-  if (count < 2 || node != 0u)
+  atomicAdd(pellucidSolvedCount, solved);
+
+  double front = 0.0;
+  uint actorIndex = 0u;
+  PellucidActor actor = pellucidActors[0];
+  previous = 0u;
+  for (node = first; node != 0u; node = pellucidLinks[node].x)
   {
-    return; // the other draw, or the CPU, has it
+    uvec2 fragment = pellucidImportances[node];
+    if (counts(fragment, previous))
+    {
+      uvec2 segment = pellucidSegments[fragment.y];
+      if (segment.y != actorIndex)
+      {
+        actorIndex = segment.y;
+        actor = pellucidActors[actorIndex];
+      }
+      double own = square(fragment);
+      behind = max(behind - own, 0.0LF);
+      float energy =
+        actor.clutterWeight * float(front) + actor.occlusionWeight * float(behind);
+      front += own;
+      float unimportance = power(1.0 - uintBitsToFloat(fragment.x), actor.exponent);
+      uint bits = floatBitsToUint(1.0 / (1.0 + unimportance * energy));
+      if (bits < segment.x)
+      {
+        atomicMin(pellucidSegments[fragment.y].x, bits);
+      }
+    }
+    previous = fragment.y;
   }
-  float behind = 0.0;
-  for (int i = count - 1; i >= 0; --i)
-  {
-    float sum = sums[i];
-    sums[i] = behind;
-    behind += sum;
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    node = starts[i];
-    previous = before[i];
-    readBlock(node, previous, block);
-    solveBlock(block, front, sums[i]);
-  }
-#endif
 }
