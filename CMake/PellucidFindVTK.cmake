@@ -27,6 +27,7 @@ set(PELLUCID_VTK_COMPONENTS
   RenderingFreeType
   RenderingOpenGL2
   RenderingVolumeOpenGL2
+  eigen
   netcdf
   vtksys)
 
