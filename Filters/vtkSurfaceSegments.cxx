@@ -45,10 +45,10 @@ static_assert(WeightCount + 1 <= vtkSegmentDistances::Count, "the fifth distance
 static_assert(NeighborCount + 1 <= vtkSegmentDistances::Count, "a segment is not its neighbor");
 
 // Where the stages of the work end, in parts of its time.
-constexpr double ShapeDone = 0.15;
-constexpr double SamplesDone = 0.4;
+constexpr double ShapeDone = 0.05;
+constexpr double SamplesDone = 0.25;
 constexpr double FactorsDone = 0.6;
-constexpr double DistancesDone = 0.95;
+constexpr double DistancesDone = 0.98;
 
 //------------------------------------------------------------------------------
 bool IsFinite(vtkPoints* points, vtkIdType id)

@@ -3,6 +3,7 @@
 
 #include "vtkSurfaceSampling.h"
 
+#include "vtkMath.h"
 #include "vtkSurfaceGraph.h"
 #include "vtkTriangleSurface.h"
 
@@ -16,12 +17,19 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-// More hardly help: on a sphere of 80,000 triangles 400 areas have a coefficient of variation of
-// 0.161 before, 0.084 after 10 moves and 0.076 after 40.
-constexpr int NumberOfMoves = 10;
+// More hardly help. The coefficient of variation of 400 areas is 0.16 before, 0.06 after 20 moves
+// and 0.05 after 40 on a sphere of 80,000 triangles, and 0.40, 0.12 and 0.10 on a plane of 100,000.
+constexpr int NumberOfMoves = 20;
 
-// How far a site moves, in parts of the way to the centroid. 1 gives 0.092 after 10 moves.
+// How far a site moves, in parts of the way to the centroid: more than 1 converges faster.
 constexpr double MoveFactor = 1.6;
+
+// What a site's paths are prolonged by in each move, in parts of the excess of its cell's radius.
+// The sphere and the plane are at 0.08 and 0.22 without that.
+constexpr double DelayFactor = 0.5;
+
+// The most that paths are prolonged or shortened by, in radii of a mean cell.
+constexpr double GreatestDelay = 0.5;
 
 // The part of the work that placing the samples is; the rest is moving them.
 constexpr double PlacingPart = 0.5;
@@ -34,6 +42,14 @@ struct Candidate
   vtkIdType Vertex;
 };
 
+//------------------------------------------------------------------------------
+// Of a disk.
+double GetRadius(double area)
+{
+  return std::sqrt(area / vtkMath::Pi());
+}
+
+//------------------------------------------------------------------------------
 // Puts the farthest candidate on top of a priority queue, and of equal ones the lowest vertex.
 struct IsNearer
 {
@@ -116,7 +132,7 @@ std::vector<vtkSurfaceSampling::Site> vtkSurfaceSampling::PlaceFarthest(
   const auto add = [&](vtkIdType vertex)
   {
     nearest.Add({ { { 0.0F, static_cast<int>(sites.size()) }, vertex } });
-    sites.push_back({ vertex, this->Surface.GetPosition(vertex) });
+    sites.push_back({ vertex, this->Surface.GetPosition(vertex), 0.0 });
     return this->Report(PlacingPart * static_cast<double>(sites.size()) / total);
   };
   for (std::size_t i = 0; i < counts.size(); ++i)
@@ -151,7 +167,7 @@ std::vector<vtkSurfaceSampling::Site> vtkSurfaceSampling::PlaceFarthest(
 
 //------------------------------------------------------------------------------
 // A site stays in the plane of the surface, or its distances from the vertices around it would be
-// too great. A cell that has lost all vertices is given up.
+// too great.
 std::vector<vtkSurfaceSampling::Site> vtkSurfaceSampling::MoveToCentroids(
   const std::vector<Site>& sites) const
 {
@@ -160,61 +176,66 @@ std::vector<vtkSurfaceSampling::Site> vtkSurfaceSampling::MoveToCentroids(
     vtkVector3d Moment{ 0.0 };
     double Area = 0.0;
     double LeastSquare = VTK_DOUBLE_MAX;
-    vtkIdType Vertex = -1;
   };
-  const auto nearest = this->FindCells(sites);
+  const auto cellOfVertex = this->FindCells(sites);
   const vtkIdType count = this->Surface.GetNumberOfVertices();
   std::vector<Cell> cells(sites.size());
   for (vtkIdType vertex = 0; vertex < count; ++vertex)
   {
-    Cell& cell = cells[nearest.Begin(vertex)->Id];
+    Cell& cell = cells[cellOfVertex[vertex]];
     const double area = this->Surface.GetVertexArea(vertex);
     cell.Area += area;
     cell.Moment = cell.Moment + area * this->Surface.GetPosition(vertex);
   }
 
-  std::vector<vtkVector3d> goals;
+  auto moved = sites;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const vtkVector3d& position = sites[i].Position;
-    const double area = cells[i].Area;
-    goals.push_back(
-      area > 0.0 ? position + MoveFactor * ((1.0 / area) * cells[i].Moment - position) : position);
+    if (cells[i].Area > 0.0)
+    {
+      const vtkVector3d centroid = (1.0 / cells[i].Area) * cells[i].Moment;
+      moved[i].Position = sites[i].Position + MoveFactor * (centroid - sites[i].Position);
+    }
   }
   for (vtkIdType vertex = 0; vertex < count; ++vertex)
   {
-    const int id = nearest.Begin(vertex)->Id;
-    const double square = (this->Surface.GetPosition(vertex) - goals[id]).SquaredNorm();
+    const int id = cellOfVertex[vertex];
+    const double square = (this->Surface.GetPosition(vertex) - moved[id].Position).SquaredNorm();
     if (square < cells[id].LeastSquare)
     {
       cells[id].LeastSquare = square;
-      cells[id].Vertex = vertex;
+      moved[id].Vertex = vertex;
     }
   }
-  std::vector<Site> moved;
+
+  const double meanRadius = GetRadius(this->Surface.GetArea() / static_cast<double>(sites.size()));
+  const double greatestDelay = GreatestDelay * meanRadius;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const vtkIdType vertex = cells[i].Vertex;
-    if (vertex >= 0)
-    {
-      const vtkVector3d& normal = this->Surface.GetNormal(vertex);
-      const double height = (goals[i] - this->Surface.GetPosition(vertex)).Dot(normal);
-      moved.push_back({ vertex, goals[i] - height * normal });
-    }
+    const vtkVector3d& normal = this->Surface.GetNormal(moved[i].Vertex);
+    const double height =
+      (moved[i].Position - this->Surface.GetPosition(moved[i].Vertex)).Dot(normal);
+    moved[i].Position = moved[i].Position - height * normal;
+    moved[i].Delay =
+      vtkMath::ClampValue(sites[i].Delay + DelayFactor * (GetRadius(cells[i].Area) - meanRadius),
+        -greatestDelay, greatestDelay);
   }
   return moved;
 }
 
 //------------------------------------------------------------------------------
-// Paths begin at the site, not at its vertex: sites that jump from vertex to vertex soon get stuck.
-vtkNearestSources vtkSurfaceSampling::FindCells(const std::vector<Site>& sites) const
+// The index of the nearest site for each vertex. Paths begin at the site, not at its vertex: sites
+// that jump from vertex to vertex soon get stuck. A site keeps its vertex, so that it has a cell at
+// all.
+std::vector<int> vtkSurfaceSampling::FindCells(const std::vector<Site>& sites) const
 {
   std::vector<vtkNearestSources::Arrival> starts;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     const auto start = [&](vtkIdType vertex)
     {
-      const double distance = (this->Surface.GetPosition(vertex) - sites[i].Position).Norm();
+      const double distance =
+        sites[i].Delay + (this->Surface.GetPosition(vertex) - sites[i].Position).Norm();
       starts.push_back({ { static_cast<float>(distance), static_cast<int>(i) }, vertex });
     };
     start(sites[i].Vertex);
@@ -226,7 +247,17 @@ vtkNearestSources vtkSurfaceSampling::FindCells(const std::vector<Site>& sites) 
   }
   vtkNearestSources nearest(this->Graph, 1);
   nearest.Add(starts);
-  return nearest;
+
+  std::vector<int> cellOfVertex;
+  for (vtkIdType vertex = 0; vertex < this->Surface.GetNumberOfVertices(); ++vertex)
+  {
+    cellOfVertex.push_back(nearest.Begin(vertex)->Id);
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    cellOfVertex[sites[i].Vertex] = static_cast<int>(i);
+  }
+  return cellOfVertex;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -6,11 +6,12 @@
  *
  * Private to the module. Each component gets samples in proportion to its area, at least one and
  * not more than it has vertices. They are placed one by one, each where the distance to those
- * before is greatest (farthest-point sampling), and then moved towards the centroids of their cells
- * (S. Lloyd, IEEE Transactions on Information Theory 28(2), 1982, with over-relaxation), which
- * makes the areas of the cells more equal; at last each is the vertex of its cell nearest to where
- * it came. Distances are those of vtkSurfaceGraph. Equal candidates: the vertex of the lowest
- * number.
+ * before is greatest (farthest-point sampling). Then they move towards the centroids of their cells
+ * (S. Lloyd, IEEE Transactions on Information Theory 28(2), 1982, with over-relaxation), while
+ * cells that are too large are held back and small ones let grow, which spreads the samples evenly,
+ * also at borders. At last each is the vertex of its cell nearest to where it came, and cells are
+ * again those of the nearest sample. Distances are those of vtkSurfaceGraph. Equal candidates: the
+ * vertex of the lowest number.
  *
  * @sa vtkSurfaceSegments
  */
@@ -25,7 +26,6 @@
 #include <vector>     // for samples
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkNearestSources;
 class vtkSurfaceGraph;
 class vtkTriangleSurface;
 
@@ -48,12 +48,13 @@ private:
   {
     vtkIdType Vertex; // the nearest
     vtkVector3d Position;
+    double Delay; // length that its paths have before they begin
   };
 
   std::vector<vtkIdType> ShareAmongComponents(double count) const;
   std::vector<Site> PlaceFarthest(const std::vector<vtkIdType>& counts) const;
   std::vector<Site> MoveToCentroids(const std::vector<Site>& sites) const;
-  vtkNearestSources FindCells(const std::vector<Site>& sites) const;
+  std::vector<int> FindCells(const std::vector<Site>& sites) const;
 
   const vtkTriangleSurface& Surface;
   const vtkSurfaceGraph& Graph;

@@ -199,7 +199,7 @@ void TestSphere(Checks& checks)
   const Segments segments = filter.Run(MakeSphere(6), 200);
   ExpectConsistent(checks, "sphere", segments);
   checks.Near("sphere, segments", segments.Number->GetValue(0), 200, 0);
-  checks.Near("sphere, spread of the areas", segments.GetSpread(), 0.0, 0.09);
+  checks.Near("sphere, spread of the areas", segments.GetSpread(), 0.0, 0.06);
   checks.True("sphere, nothing to warn of", filter.IsSilent());
 
   // The neighbors are the nearest of all, up to the error of the distances.
@@ -252,6 +252,16 @@ void TestSphere(Checks& checks)
   }
   checks.Near("sphere, points that are nearer to another sample", wrong, 0, 0);
   checks.Near("sphere, steepest weight", steepest, 0.0, 5.0);
+}
+
+void TestBorders(Checks& checks)
+{
+  const Segments square = Filter().Run(MakePlane(101, 101), 100);
+  ExpectConsistent(checks, "square", square);
+  checks.Near("square, spread of the areas", square.GetSpread(), 0.0, 0.13);
+  const Segments cylinder = Filter().Run(MakeCylinder(128, 64), 100);
+  ExpectConsistent(checks, "cylinder", cylinder);
+  checks.Near("cylinder, spread of the areas", cylinder.GetSpread(), 0.0, 0.13);
 }
 
 void TestComponents(Checks& checks)
@@ -386,6 +396,10 @@ void TestBadInput(Checks& checks)
     std::swap(needles.Corners[i], needles.Corners[i + 1]);
   }
   expect("needles", needles, 2394);
+  checks.Near(
+    "as many segments as vertices", Filter().Run(MakeSphere(3), 1000).Number->GetValue(0), 258, 0);
+  checks.Near("hardly fewer segments than vertices",
+    Filter().Run(MakeSphere(3), 200).Number->GetValue(0), 200, 0);
 
   // Far from the origin or small, the segments are the same.
   const Segments unit = expect("noisy plane", MakePlane(31, 31, 0.0, 0.4), 1800);
@@ -431,7 +445,7 @@ void TestMessages(Checks& checks)
   checks.True("not finite, warning", holes.HasWarned("Left out 8 of 200 triangles"));
 
   // Aborted at the start, among the samples, and among the distances.
-  for (double progress : { 0.0, 0.3, 0.7 })
+  for (double progress : { 0.0, 0.1, 0.7 })
   {
     Filter aborted;
     vtkNew<vtkCallbackCommand> abort;
@@ -477,6 +491,7 @@ int TestSurfaceSegments(int, char*[])
 {
   Checks checks;
   TestSphere(checks);
+  TestBorders(checks);
   TestComponents(checks);
   TestData(checks);
   TestBadInput(checks);
