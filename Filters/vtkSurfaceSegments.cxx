@@ -46,7 +46,7 @@ static_assert(NeighborCount + 1 <= vtkSegmentDistances::Count, "a segment is not
 
 // Where the stages of the work end, in parts of its time.
 constexpr double ShapeDone = 0.05;
-constexpr double SamplesDone = 0.25;
+constexpr double SamplesDone = 0.3;
 constexpr double FactorsDone = 0.6;
 constexpr double DistancesDone = 0.98;
 
