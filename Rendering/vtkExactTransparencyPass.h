@@ -17,15 +17,19 @@
  * 3. `gather`  - the geometry is drawn once; each fragment in front of the opaque scene is appended
  *                to its pixel's linked list
  * 4. `sort`    - each list is sorted by depth in place
- * 5. `resolve` - each list is composited over the opaque scene
- * 6. `blend`   - props whose mapper takes no part in render passes, over the result; counted in the
+ * 5. `solve`   - where opacities are optimised (vtkOpacityOptimization): the optimal opacity of
+ * each fragment, and the least one of each segment
+ * 6. `smooth`  - the opacities of segments are smoothed along lines and surfaces
+ * 7. `resolve` - each list is composited over the opaque scene, with the optimised opacities
+ * 8. `blend`   - props whose mapper takes no part in render passes, over the result; counted in the
  *                statistics, with one warning
  * A frame without translucent geometry runs VTK's own path and nothing else, and allocates nothing;
  * what an earlier frame has allocated is kept for the next.
  *
  * Exactness. Lists of any length are composited completely. When the fragments do not fit into the
  * buffers these grow; when they would exceed #MemoryLimit the image is worked through in
- * rectangles, with the same bits as result. Fragments of equal depth are ordered by opacity, then
+ * rectangles, with the same bits as result; optimised opacities need all rectangles before the
+ * first is composited, so these gather twice. Fragments of equal depth are ordered by opacity, then
  * colour, so a picture depends neither on the order of props and cells nor on the number of
  * threads. A stored fragment has 13 bits for each colour component, 25 bits of opacity (8 of them
  * exponent) and a 32-bit float depth. Compositing is in single precision and stops where the rest
@@ -41,6 +45,8 @@
  * @par Reference
  * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D (2016), chapter
  * 2, for the lists and the compositing (equations 2.3 and 2.4); its lists drop what does not fit.
+ * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and Surfaces
+ * (2017), for the optimisation; there it takes a second geometry pass.
  *
  * @sa vtkTransparencyInstaller vtkTransparencyStatistics vtkTrajectoryMapper
  */
@@ -73,11 +79,11 @@ public:
   ///@{
   /**
    * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 49 million
-   * fragments at a time, or for 16 million where OpenGL limits a buffer to 128 MiB as Mesa's
-   * software renderer does. A scene that needs more is drawn in several rectangles, which costs one
-   * more traversal of the geometry for each. Only the list of a single pixel may exceed the limit;
-   * a warning tells. The copies of the opaque scene come on top: 8 bytes for each sample, 20 for
-   * each in a floating-point target.
+   * fragments at a time, half of that where opacities are optimised, or for 16 million where OpenGL
+   * limits a buffer to 128 MiB as Mesa's software renderer does. A scene that needs more is drawn
+   * in several rectangles, which costs one more traversal of the geometry for each. Only the list
+   * of a single pixel may exceed the limit; a warning tells. The copies of the opaque scene come on
+   * top: 8 bytes for each sample, 20 for each in a floating-point target.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);

@@ -3,6 +3,7 @@
 #include "vtkReferenceRenderer.h"
 
 #include "Private/RayCasting.h"
+#include "Private/vtkReferenceOpacities.h"
 #include "Private/vtkReferenceScene.h"
 
 #include "vtkDoubleArray.h"
@@ -114,6 +115,10 @@ void vtkReferenceRenderer::Update()
 
   internals.Source = std::make_unique<vtkReferenceScene>(this->Renderer, width, height);
   internals.Caster = std::make_unique<pellucid::RayCaster<double>>(internals.Source->GetScene());
+  const vtkOptimizedScene& optimized = internals.Source->GetOptimizedScene();
+  const std::vector<double> opacities = optimized.HasEffect()
+    ? vtkSolveReferenceOpacities(*internals.Caster, optimized)
+    : std::vector<double>();
   internals.Image->SetDimensions(width, height, 1);
   internals.Image->AllocateScalars(VTK_DOUBLE, 4);
   internals.FragmentCounts->SetDimensions(width, height, 1);
@@ -138,7 +143,7 @@ void vtkReferenceRenderer::Update()
           for (int x = area.x0; x < area.x1; ++x, ++pixel)
           {
             const vtkIdType index = static_cast<vtkIdType>(y) * width + x;
-            const Vec4 color = pixel->Composite(background);
+            const Vec4 color = pixel->Composite(background, opacities);
             for (int component = 0; component < 4; ++component)
             {
               image[4 * index + component] = color[component];

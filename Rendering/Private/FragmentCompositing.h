@@ -9,6 +9,7 @@
 #define FragmentCompositing_h
 
 #include "RayIntersection.h"
+#include "SegmentOpacity.h"
 
 #include <algorithm>
 #include <tuple>
@@ -16,24 +17,35 @@
 
 namespace pellucid
 {
+/** Where a fragment lies among the segments whose opacities are optimised. */
+template <typename Real>
+struct SegmentPlace
+{
+  OpacityFragment<Real> nearest;        ///< its importance, and the segment that it belongs to
+  std::array<SegmentId, 3> opacities{}; ///< between which it lies
+  std::array<Real, 3> shares{};         ///< of each of these; 0: not of it
+};
+
 /** One surface in one pixel: window depth in [0,1], straight colour and alpha in [0,1]. */
 template <typename Real>
 struct Fragment
 {
   Real depth = 1;
   Vector4<Real> color{ Real(0) };
+  SegmentPlace<Real> place{};
 };
 
 /**
  * Front to back; of equal depths the less opaque one is in front, then the one with less red, green
- * and blue. Fragments that compare equal are identical, so that the order in which they were found
- * never shows.
+ * and blue, then the less important one. Fragments that compare equal are identical, so that the
+ * order in which they were found never shows.
  */
 template <typename Real>
 bool operator<(const Fragment<Real>& a, const Fragment<Real>& b)
 {
-  return std::tie(a.depth, a.color.a, a.color.r, a.color.g, a.color.b) <
-    std::tie(b.depth, b.color.a, b.color.r, b.color.g, b.color.b);
+  return std::tie(a.depth, a.color.a, a.color.r, a.color.g, a.color.b, a.place.nearest.importance,
+           a.place.nearest.segment) < std::tie(b.depth, b.color.a, b.color.r, b.color.g, b.color.b,
+                                        b.place.nearest.importance, b.place.nearest.segment);
 }
 
 /** The fragments of one pixel. */
@@ -86,16 +98,24 @@ public:
   /**
    * Blend the sorted fragments over the opaque surface, or over `background` where there is none
    * (Porter and Duff 1984, "over"). The background, like the result, is what a framebuffer holds:
-   * a colour that is taken as it is, and the alpha beside it.
+   * a colour that is taken as it is, and the alpha beside it. `opacities` are those of segments and
+   * corners, as SegmentPlace counts them, and multiply; empty where nothing is optimised.
    */
-  Vector4<Real> Composite(const Vector4<Real>& background) const
+  Vector4<Real> Composite(
+    const Vector4<Real>& background, const std::vector<Real>& opacities = {}) const
   {
     Vector3<Real> color(Real(0));
     Real transmittance = 1;
     for (const auto& fragment : this->Translucent)
     {
-      color += transmittance * fragment.color.a * Vector3<Real>(fragment.color);
-      transmittance *= 1 - fragment.color.a;
+      const SegmentPlace<Real>& place = fragment.place;
+      const Real alpha = fragment.color.a *
+        (place.nearest.parameters && !opacities.empty()
+            ? InterpolateOpacity(
+                opacities, place.opacities.data(), place.shares.data(), place.shares.size())
+            : Real(1));
+      color += transmittance * alpha * Vector3<Real>(fragment.color);
+      transmittance *= 1 - alpha;
     }
     const Vector4<Real> behind =
       this->HasOpaque ? Vector4<Real>(Vector3<Real>(this->Opaque.color), Real(1)) : background;

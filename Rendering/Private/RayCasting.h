@@ -190,7 +190,53 @@ private:
     const Real opacity =
       a.opacity + hit.weights.y * (b.opacity - a.opacity) + hit.weights.z * (c.opacity - a.opacity);
     this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color), opacity, position,
-      normal, depth, pixel);
+      normal, depth, this->PlaceInTriangle(surface, { &a, &b, &c }, hit.weights), pixel);
+  }
+
+  static SegmentPlace<Real> PlaceInTriangle(const Surface<Real>& surface,
+    const std::array<const Vertex<Real>*, 3>& corners, const Vector3<Real>& weights)
+  {
+    SegmentPlace<Real> place;
+    if (!surface.optimization)
+    {
+      return place;
+    }
+    Real importance = 0;
+    int nearest = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      importance += weights[i] * corners[i]->segment.importance;
+      nearest = weights[i] > weights[nearest] ? i : nearest;
+    }
+    place.nearest = { ClampImportance(importance), corners[nearest]->segment.base,
+      &*surface.optimization };
+    for (int i = 0; i < 3; ++i)
+    {
+      const bool interpolates = corners[i]->corner >= 0;
+      place.opacities[i] = interpolates ? corners[i]->corner : corners[i]->segment.base;
+      place.shares[i] = interpolates ? weights[i] : Real(i == nearest);
+    }
+    return place;
+  }
+
+  /** `along` is 0 at the first and 1 at the last point of a piece. */
+  static SegmentPlace<Real> PlaceOnLine(const Surface<Real>& surface,
+    const SegmentNode<Real>& first, const SegmentNode<Real>& last, Real along)
+  {
+    SegmentPlace<Real> place;
+    if (surface.optimization)
+    {
+      const Real steps = static_cast<Real>(last.base - first.base) + last.weight - first.weight;
+      const Real centre = first.weight + along * steps;
+      const Real whole = std::floor(centre);
+      const Real share = centre - whole;
+      const SegmentId base = first.base + static_cast<SegmentId>(whole);
+      place.nearest = { first.importance + along * (last.importance - first.importance),
+        share < Real(0.5) ? base : base + 1, &*surface.optimization };
+      place.opacities = { base, base + 1, 0 };
+      place.shares = { 1 - share, share, 0 };
+    }
+    return place;
   }
 
   Vector3<Real> TowardsViewer(const Vector3<Real>& normal, const Vector3<Real>& position) const
@@ -207,7 +253,7 @@ private:
 
   void AddFragment(const Surface<Real>& surface, bool frontFacing, const Vector4<Real>& attribute,
     Real opacity, const Vector3<Real>& position, const Vector3<Real>& normal, Real depth,
-    PixelFragments<Real>& pixel) const
+    const SegmentPlace<Real>& place, PixelFragments<Real>& pixel) const
   {
     Material<Real> material = frontFacing ? surface.front : surface.back;
     Real alpha = opacity * material.opacity;
@@ -224,7 +270,8 @@ private:
       lit ? Shade(this->Input.lighting, material, position, normal) : Unlit(material);
     pixel.Add({ depth,
                 { Saturate(color.r), Saturate(color.g), Saturate(color.b),
-                  surface.opaque ? Real(1) : Saturate(alpha) } },
+                  surface.opaque ? Real(1) : Saturate(alpha) },
+                place },
       surface.opaque);
   }
 
@@ -397,8 +444,10 @@ private:
     const Vector4<Real> color = glm::mix(first.color, last.color, hit.axis);
     const Real opacity = first.opacity + hit.axis * (last.opacity - first.opacity);
     const Real depth = View<Real>::WindowDepth(this->Input.view.ClipCoordinates(position));
-    this->AddFragment(this->Input.surfaces[piece.surface], true, color, opacity, position, normal,
-      glm::clamp(depth, Real(0), Real(1)), pixel);
+    const Surface<Real>& surface = this->Input.surfaces[piece.surface];
+    this->AddFragment(surface, true, color, opacity, position, normal,
+      glm::clamp(depth, Real(0), Real(1)),
+      PlaceOnLine(surface, first.segment, last.segment, hit.axis), pixel);
   }
 
   const Scene<Real>& Input;

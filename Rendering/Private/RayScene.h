@@ -11,9 +11,11 @@
 #ifndef RayScene_h
 #define RayScene_h
 
+#include "FragmentCompositing.h"
 #include "SurfaceShading.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pellucid
@@ -102,11 +104,21 @@ struct Surface
   Material<Real> back;
   ColorSource colorSource = ColorSource::Material;
   ColorTable<Real> table;
-  std::vector<HalfSpace<Real>> clipping; ///< only what lies in all of these is shown
+  std::vector<HalfSpace<Real>> clipping;               ///< only what lies in all of these is shown
+  std::optional<OpacityParameters<Real>> optimization; ///< where the opacities are optimised
   bool opaque = true;
   bool lit = true;
   bool cullFront = false;
   bool cullBack = false;
+};
+
+/** The importance at a point, and where it lies between the centres of two segments of a line. */
+template <typename Real>
+struct SegmentNode
+{
+  Real importance = 0;
+  SegmentId base = 0;
+  Real weight = 0;
 };
 
 /** A zero normal stands for none: the face's own is used. Normals need no unit length. */
@@ -116,7 +128,9 @@ struct Vertex
   Vector3<Real> position{ Real(0) };
   Vector3<Real> normal{ Real(0) };
   Vector4<Real> color{ Real(1) };
-  Real opacity = 1; ///< a factor, interpolated
+  Real opacity = 1;            ///< a factor, interpolated
+  SegmentNode<Real> segment{}; ///< `base` is the segment nearest to it; `weight` does not count
+  SegmentId corner = -1;       ///< the opacity at the vertex, if it is not that of the segment
 };
 
 struct Triangle
@@ -133,6 +147,7 @@ struct TubePoint
   Real radius = 0;
   Vector4<Real> color{ Real(1) };
   Real opacity = 1; ///< a factor, interpolated
+  SegmentNode<Real> segment{};
 };
 
 /**

@@ -14,6 +14,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpacityOptimization.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -159,6 +160,63 @@ private:
   vtkDataArray* Factors;
 };
 
+/** Importance and segment at the points of one data set, where its opacities are optimised. */
+class DataSegments
+{
+public:
+  DataSegments(const vtkReferenceTarget& target, vtkPolyData* data)
+  {
+    if (!target.member)
+    {
+      return;
+    }
+    const auto part = std::find_if(target.member->Parts.begin(), target.member->Parts.end(),
+      [data](const vtkOptimizedScene::Part& candidate) { return candidate.Data == data; });
+    this->Part = part == target.member->Parts.end() ? &target.member->Parts.front() : &*part;
+    const char* name = target.member->Optimization->GetImportanceArray();
+    vtkPointData* points = data->GetPointData();
+    this->Importance = name ? points->GetArray(name) : nullptr;
+    if (vtkOptimizedScene::HasLineSegments(data))
+    {
+      this->Base = points->GetArray("SegmentBase");
+      this->Weight = points->GetArray("SegmentWeight");
+    }
+    if (this->Part->HasCorners)
+    {
+      this->Nearest = points->GetArray("SegmentIds");
+      this->FirstCorner = target.optimized->GetNumberOfSegments() + this->Part->FirstCorner;
+    }
+  }
+
+  pellucid::SegmentNode<double> GetNode(vtkIdType point) const
+  {
+    pellucid::SegmentNode<double> node;
+    if (this->Part)
+    {
+      vtkDataArray* base = this->Base ? this->Base : this->Nearest;
+      node.importance = pellucid::ClampImportance(
+        this->Importance ? this->Importance->GetComponent(point, 0) : 0.0);
+      node.base = this->Part->FirstSegment +
+        (base ? std::max(static_cast<vtkIdType>(base->GetComponent(point, 0)), vtkIdType(0)) : 0);
+      node.weight = this->Weight ? this->Weight->GetComponent(point, 0) : 0.0;
+    }
+    return node;
+  }
+
+  pellucid::SegmentId GetCorner(vtkIdType point) const
+  {
+    return this->Nearest ? this->FirstCorner + point : -1;
+  }
+
+private:
+  const vtkOptimizedScene::Part* Part = nullptr;
+  vtkDataArray* Importance = nullptr;
+  vtkDataArray* Base = nullptr;
+  vtkDataArray* Weight = nullptr;
+  vtkDataArray* Nearest = nullptr;
+  pellucid::SegmentId FirstCorner = 0;
+};
+
 std::uint32_t AddSurface(pellucid::Scene<double>& scene, const pellucid::Surface<double>& surface)
 {
   scene.surfaces.push_back(surface);
@@ -189,6 +247,7 @@ public:
     , Data(data)
     , Surface(surface)
     , Opacities(target, data)
+    , Segments(target, data)
   {
     // vtkOpenGLPolyDataMapper ignores the normals of points for flat interpolation only.
     if (target.property->GetInterpolation() != VTK_FLAT)
@@ -224,6 +283,8 @@ public:
       }
       vertex.color = color(point, cell);
       vertex.opacity = this->Opacities.Get(point);
+      vertex.segment = this->Segments.GetNode(point);
+      vertex.corner = this->Segments.GetCorner(point);
       return vertex;
     };
     for (vtkIdType point = 0; shared && point < this->Data->GetNumberOfPoints(); ++point)
@@ -281,6 +342,7 @@ private:
   vtkPolyData* Data;
   std::uint32_t Surface;
   DataOpacities Opacities;
+  DataSegments Segments;
   vtkDataArray* PointNormals = nullptr;
   vtkDataArray* CellNormals = nullptr;
 };
@@ -482,14 +544,15 @@ vtkReferenceRejects vtkAddReferenceTrajectories(
   vtkDataArray* radii =
     radiusArray && *radiusArray ? data->GetPointData()->GetArray(radiusArray) : nullptr;
   const DataOpacities opacities(target, data);
+  const DataSegments segments(target, data);
   const auto makePoint = [&](vtkIdType point, vtkIdType cell)
   {
     double position[3];
     data->GetPoint(point, position);
-    return pellucid::TubePoint<double>{
-      Vec3(target.modelToView * Vec4(glm::make_vec3(position), 1.0)),
-      radii ? radii->GetComponent(point, 0) : radius, colors.Get(point, cell), opacities.Get(point)
-    };
+    return pellucid::TubePoint<double>{ Vec3(
+                                          target.modelToView * Vec4(glm::make_vec3(position), 1.0)),
+      radii ? radii->GetComponent(point, 0) : radius, colors.Get(point, cell), opacities.Get(point),
+      segments.GetNode(point) };
   };
   ForEachCell(data->GetVerts(), 0,
     [&](vtkIdType count, const vtkIdType* points, vtkIdType cell)

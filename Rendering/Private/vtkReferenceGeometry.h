@@ -9,6 +9,7 @@
 #define vtkReferenceGeometry_h
 
 #include "RayScene.h"
+#include "vtkOptimizedScene.h" // for the members
 
 #include "vtkCompositeDataIterator.h" // for visiting the leaves
 #include "vtkCompositeDataSet.h"      // for visiting the leaves
@@ -28,7 +29,9 @@ struct vtkReferenceTarget
   vtkProperty* property;
   pellucid::Surface<double> surface; ///< all but its colour source, which depends on the data
   glm::dmat4 modelToView;
-  const char* opacityArray = nullptr; ///< name of a point array of factors on the opacity
+  const char* opacityArray = nullptr;           ///< name of a point array of factors on the opacity
+  const vtkOptimizedScene* optimized = nullptr; ///< where the opacities are optimised
+  const vtkOptimizedScene::Member* member = nullptr; ///< the actor's entry there
 };
 
 /** What of the data cannot be drawn. */

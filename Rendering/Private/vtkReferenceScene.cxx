@@ -13,6 +13,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpacityOptimization.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -102,6 +103,7 @@ vtkReferenceScene::vtkReferenceScene(vtkRenderer* renderer, int width, int heigh
   this->TakeLights(renderer);
   this->Omit("background texture", renderer->GetTexturedBackground());
   this->Omit("background gradient that is not vertical", !HasVerticalGradient(renderer));
+  std::vector<vtkProp*> visibleProps;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -109,8 +111,13 @@ vtkReferenceScene::vtkReferenceScene(vtkRenderer* renderer, int width, int heigh
   {
     if (prop->GetVisibility())
     {
-      this->TakeProp(prop);
+      visibleProps.push_back(prop);
     }
+  }
+  this->Optimized.Update(visibleProps);
+  for (vtkProp* prop : visibleProps)
+  {
+    this->TakeProp(prop);
   }
 }
 
@@ -224,6 +231,12 @@ void vtkReferenceScene::TakeProp(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+const vtkOptimizedScene::Member* vtkReferenceScene::FindMember(vtkActor* actor) const
+{
+  return this->Optimized.HasEffect() ? this->Optimized.Find(actor) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 pellucid::Surface<double> vtkReferenceScene::MakeSurface(vtkActor* actor, vtkMapper* mapper)
 {
   vtkProperty* property = actor->GetProperty();
@@ -233,6 +246,13 @@ pellucid::Surface<double> vtkReferenceScene::MakeSurface(vtkActor* actor, vtkMap
     actor->GetBackfaceProperty() ? ToMaterial(actor->GetBackfaceProperty()) : surface.front;
   surface.opaque = !actor->HasTranslucentPolygonalGeometry();
   surface.lit = property->GetLighting();
+  if (const vtkOptimizedScene::Member* member = this->FindMember(actor))
+  {
+    surface.optimization =
+      pellucid::OpacityParameters<double>{ member->Optimization->GetOcclusionWeight(),
+        member->Optimization->GetClutterWeight(), member->Optimization->GetEmphasis(),
+        !member->Optimization->GetSelfOcclusion() };
+  }
   surface.cullBack = property->GetBackfaceCulling() != 0;
   surface.cullFront = property->GetFrontfaceCulling() && !surface.cullBack;
   if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
@@ -275,7 +295,8 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
 
   mapper->Update();
   vtkReferenceTarget target{ this->Scene, mapper, property, this->MakeSurface(actor, mapper),
-    this->WorldToView * ToMatrix(modelToWorld), nullptr };
+    this->WorldToView * ToMatrix(modelToWorld), nullptr, &this->Optimized,
+    this->FindMember(actor) };
   vtkReferenceRejects rejects;
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {

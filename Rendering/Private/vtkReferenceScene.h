@@ -9,6 +9,7 @@
 #define vtkReferenceScene_h
 
 #include "RayScene.h"
+#include "vtkOptimizedScene.h"
 
 #include "vtkABINamespace.h" // for the namespace macros
 #include "vtkType.h"         // for vtkIdType
@@ -33,6 +34,9 @@ public:
 
   const pellucid::Scene<double>& GetScene() const { return this->Scene; }
 
+  /** The segments of the actors whose opacities are optimised. */
+  const vtkOptimizedScene& GetOptimizedScene() const { return this->Optimized; }
+
   /** Kind of what was left out -> how many of it. */
   const std::map<std::string, vtkIdType>& GetOmissions() const { return this->Omissions; }
 
@@ -42,11 +46,13 @@ private:
   pellucid::Light<double> MakeLight(vtkLight* source) const;
   void TakeProp(vtkProp* prop);
   void TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld);
+  const vtkOptimizedScene::Member* FindMember(vtkActor* actor) const;
   pellucid::Surface<double> MakeSurface(vtkActor* actor, vtkMapper* mapper);
   glm::dmat3 NormalToView() const;
   void Omit(const std::string& kind, vtkIdType count = 1);
 
   pellucid::Scene<double> Scene;
+  vtkOptimizedScene Optimized;
   glm::dmat4 WorldToView{ 1.0 };
   std::map<std::string, vtkIdType> Omissions;
 };
