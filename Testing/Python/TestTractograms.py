@@ -10,6 +10,7 @@ import unittest
 import zipfile
 
 import numpy
+import readers
 import tractograms
 from tractograms import tck, trk, trx, trx_entries, zip_of
 from vtkmodules.test.Testing import VTK_DATA_ROOT, VTK_TEMP_DIR
@@ -28,7 +29,7 @@ POINTS = numpy.arange(1, 19).reshape(6, 3)
 WITH_EMPTY_LINE = [LINES[0], [], LINES[1]]
 
 
-def write(content, name="file"):
+def write(content, name):
     path = pathlib.Path(VTK_TEMP_DIR, name)
     path.write_bytes(content)
     return str(path)
@@ -40,22 +41,6 @@ def write_folder(entries, name):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
     return str(pathlib.Path(VTK_TEMP_DIR, name))
-
-
-def update(reader, path):
-    """The output and the messages, without the pipeline's own."""
-    messages = []
-
-    def note(_, event, text):
-        messages.append((event, text.split("): ", 1)[-1].strip()))
-
-    note.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", note)
-    reader.AddObserver("WarningEvent", note)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput(), messages
 
 
 def arrays_of(data):
@@ -72,31 +57,26 @@ def lines_of(output):
     return [list(ids[a:b]) for a, b in zip(offsets, offsets[1:])]
 
 
-class TestCase(unittest.TestCase):
+class TestCase(readers.TestCase):
     reader = None
 
     def read(self, content):
         """The output of a file that gives no message."""
-        path = content if isinstance(content, str) else write(content)
-        self.assertEqual(self.reader().CanReadFile(path), 1)
-        output, messages = update(self.reader(), path)
+        reader = self.reader()
+        output, messages = readers.read(reader, content)
         self.assertEqual(messages, [])
+        self.assertEqual(reader.CanReadFile(reader.GetFileName()), 1)
         return output
 
     def expect(self, content, message):
         """One error that says `message`, and an empty output."""
-        path = content if isinstance(content, str) else write(content)
         reader = self.reader()
-        output, messages = update(reader, path)
-        self.assertEqual([event for event, _ in messages], ["ErrorEvent"], messages)
-        self.assertIn(message, messages[0][1])
-        self.assertTrue(messages[0][1].startswith(path), messages)
+        self.assert_error(reader, content, message)
         self.assertNotEqual(reader.GetErrorCode(), 0)
-        self.assertEqual((output.GetNumberOfPoints(), output.GetNumberOfCells()), (0, 0))
 
     def warn(self, content, message):
         """The output of a file that gives one warning."""
-        output, messages = update(self.reader(), write(content))
+        output, messages = readers.read(self.reader, content)
         self.assertEqual([event for event, _ in messages], ["WarningEvent"], messages)
         self.assertIn(message, messages[0][1])
         return output
@@ -495,20 +475,19 @@ class TestRecognition(unittest.TestCase):
                                 (vtkTRXReader(), trx(many))):
             progress = []
             reader.AddObserver("ProgressEvent", lambda caller, _: progress.append(caller.GetProgress()))
-            path = write(content)
-            output, messages = update(reader, path)
+            output, messages = readers.read(reader, content)
             self.assertEqual((output.GetNumberOfLines(), messages), (1200, []))
             self.assertEqual(progress, sorted(progress))
             self.assertEqual((progress[0], progress[-1]), (0, 1))
             self.assertLess(len(progress), 110)
             abort = reader.AddObserver("ProgressEvent", lambda caller, _: caller.AbortExecuteOn())
             reader.Modified()
-            output, messages = update(reader, path)
+            output, messages = readers.read(reader, content)
             self.assertEqual((output.GetNumberOfLines(), messages), (0, []))
             reader.RemoveObserver(abort)
             reader.AbortExecuteOff()
             reader.Modified()
-            self.assertEqual(update(reader, path)[0].GetNumberOfLines(), 1200)
+            self.assertEqual(readers.read(reader, content)[0].GetNumberOfLines(), 1200)
 
     def test_factory(self):
         for reader, content in self.FILES.items():
