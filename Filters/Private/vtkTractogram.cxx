@@ -14,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -28,8 +29,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-constexpr const char* TrajectoryIdName = "TrajectoryId";
-
 //------------------------------------------------------------------------------
 struct FindNotFinite
 {
@@ -81,8 +80,9 @@ int vtkTractogram::Recognize(
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::SetLines(
+vtkTractogram::vtkTractogram(
   vtkPolyData* output, vtkDataArray* coordinates, const std::vector<vtkIdType>& offsets)
+  : Output(output)
 {
   RequireFinite(coordinates, offsets);
   coordinates->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "mm");
@@ -90,7 +90,7 @@ void vtkTractogram::SetLines(
   points->SetData(coordinates);
 
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(TrajectoryIdName);
+  ids->SetName(this->LineNames.Take("TrajectoryId").c_str());
   vtkNew<vtkIdTypeArray> ends;
   ends->InsertNextValue(0);
   for (std::size_t line = 0; line + 1 < offsets.size(); ++line)
@@ -111,16 +111,22 @@ void vtkTractogram::SetLines(
   output->SetPoints(points);
   output->SetLines(lines);
   output->GetCellData()->AddArray(ids);
+  this->LineIds = ids;
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::AddLineArray(vtkPolyData* output, vtkDataArray* array)
+void vtkTractogram::AddPointArray(vtkDataArray* array)
 {
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray(TrajectoryIdName));
-  const vtkIdType count = ids->GetNumberOfTuples();
+  Add(array, this->Output->GetPointData(), this->PointNames);
+}
+
+//------------------------------------------------------------------------------
+void vtkTractogram::AddLineArray(vtkDataArray* array)
+{
+  const vtkIdType count = this->LineIds->GetNumberOfTuples();
   if (count == array->GetNumberOfTuples())
   {
-    AddArray(output->GetCellData(), array);
+    Add(array, this->Output->GetCellData(), this->LineNames);
     return;
   }
   auto kept = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
@@ -129,19 +135,21 @@ void vtkTractogram::AddLineArray(vtkPolyData* output, vtkDataArray* array)
   kept->SetNumberOfTuples(count);
   for (vtkIdType line = 0; line < count; ++line)
   {
-    kept->SetTuple(line, ids->GetValue(line), array);
+    kept->SetTuple(line, this->LineIds->GetValue(line), array);
   }
-  AddArray(output->GetCellData(), kept);
+  Add(kept, this->Output->GetCellData(), this->LineNames);
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::AddArray(vtkFieldData* data, vtkDataArray* array)
+void vtkTractogram::AddFieldArray(vtkDataArray* array)
 {
-  const std::string name = array->GetName();
-  for (int number = 2; data->HasArray(array->GetName()); ++number)
-  {
-    array->SetName((name + "_" + std::to_string(number)).c_str());
-  }
+  Add(array, this->Output->GetFieldData(), this->FieldNames);
+}
+
+//------------------------------------------------------------------------------
+void vtkTractogram::Add(vtkDataArray* array, vtkFieldData* data, vtkArrayNames& names)
+{
+  array->SetName(names.Take(array->GetName()).c_str());
   data->AddArray(array);
 }
 

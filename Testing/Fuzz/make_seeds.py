@@ -83,6 +83,8 @@ SEEDS = {
         "stored.trx": tractograms.trx(LINES, ARRAYS),
         "deflated.trx": tractograms.trx(
             LINES, ARRAYS, compression=zipfile.ZIP_DEFLATED, offset_type="uint64", last=True),
+        "equal-names.trx": tractograms.trx(
+            [], {f"dpv/a.{components}.uint8": [] for components in range(1, 500)}),
     },
     "vtkTrackVisReader": {
         "plain.trk": tractograms.trk(LINES),

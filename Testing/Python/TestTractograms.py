@@ -6,6 +6,7 @@
 import math
 import pathlib
 import struct
+import time
 import unittest
 import zipfile
 
@@ -342,6 +343,18 @@ class TestTRX(TestCase):
         entries.update({"dps/": b"", "dps/algorithm.json": b"{}"})
         self.expect_lines(self.read(zip_of(entries)))
         self.expect_lines(self.read(zip_of({"./" + name: entries[name] for name in entries})))
+
+    def test_many_names(self):
+        """Names that are all taken cost little, and there are not too many."""
+        def content(count):  # with positions and offsets
+            return trx([], {f"dpv/a.{number}.uint8": [] for number in range(1, count - 1)})
+
+        begin = time.monotonic()
+        arrays = self.read(content(4096)).GetPointData()
+        self.assertLess(time.monotonic() - begin, 10)
+        names = [arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())]
+        self.assertEqual(set(names), {"a", *(f"a_{number}" for number in range(2, 4095))})
+        self.expect(content(4097), "expected at most 4096 arrays in it, found more")
 
     def test_warnings(self):
         entries = trx_entries(LINES)
