@@ -19,6 +19,7 @@
 #include "vtkProperty.h"
 #include "vtkQuaternion.h"
 #include "vtkSmartPointer.h"
+#include "vtkTrajectoryOpacities.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -143,10 +144,9 @@ class DataOpacities
 {
 public:
   DataOpacities(const vtkReferenceTarget& target, vtkPolyData* data)
+    : Factors(
+        vtkTrajectoryOpacities(target.opacityArray ? target.opacityArray : "").FindGoodArray(data))
   {
-    vtkDataArray* array =
-      target.opacityArray ? data->GetPointData()->GetArray(target.opacityArray) : nullptr;
-    this->Factors = array && array->GetNumberOfComponents() == 1 ? array : nullptr;
   }
 
   double Get(vtkIdType point) const
