@@ -217,7 +217,12 @@ Arrays ReadArrays(
   archive.Visit(
     [&](const std::string& name, std::uint64_t size, const vtkTRXArchive::Source& source)
     {
-      const vtkTRXArray& array = contents.at(name);
+      const auto item = contents.find(name);
+      if (item == contents.end())
+      {
+        throw vtkTrajectoryFileError("\"" + name + "\" in it was not there when reading began");
+      }
+      const vtkTRXArray& array = item->second;
       const double begin = static_cast<double>(visited++);
       const auto read = [&](char* bytes, std::uint64_t count)
       {

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -73,7 +74,7 @@ int vtkTractogram::Recognize(
   {
     return fileName && isOfKind(fileName);
   }
-  catch (const vtkTrajectoryFileError&)
+  catch (const std::exception&)
   {
     return 0;
   }

@@ -5,7 +5,9 @@
 
 import math
 import pathlib
+import resource
 import struct
+import sys
 import time
 import unittest
 import zipfile
@@ -459,6 +461,19 @@ class TestTRX(TestCase):
         self.expect(trx(LINES, twice).replace(b"dpv/b", b"dpv/a"),
                     "expected \"dpv/a.uint8\" in it once, found it twice")
 
+    def test_changed_folder(self):
+        arrays = {"dpv/a.uint8": range(6), "dpv/b.uint8": range(6), "groups/a.uint32": [0]}
+        folder = write_folder(trx_entries(LINES, arrays), "changed.trx")
+        pathlib.Path(folder, "groups/new.uint32").unlink(missing_ok=True)
+        reader = self.reader()
+
+        def change(caller, _):
+            if caller.GetProgress() > 0:
+                write_folder({"groups/new.uint32": b""}, "changed.trx")
+
+        reader.AddObserver("ProgressEvent", change)
+        self.assert_error(reader, folder, "\"groups/new.uint32\" in it was not there")
+
     def test_truncation(self):
         self.expect_truncations(trx(LINES, {"dps/a.uint8": range(3)}))
         self.expect_truncations(trx(LINES, compression=zipfile.ZIP_DEFLATED))
@@ -481,6 +496,19 @@ class TestRecognition(unittest.TestCase):
                 self.assertEqual(reader().CanReadFile(write(content, "a.trk")), 0)
             for path in ("", VTK_TEMP_DIR, VTK_TEMP_DIR + "/none", None):
                 self.assertEqual(reader().CanReadFile(path), 0)
+
+    @unittest.skipUnless(sys.platform == "linux", "the limit is not the same elsewhere")
+    def test_without_memory(self):
+        path = write(zip_of({"header.json": b"[" * 2**20}), "a.trx")
+        pages = int(pathlib.Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+        limit, hard = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(
+            resource.RLIMIT_AS, (pages * resource.getpagesize() + 2**23, hard))
+        try:
+            readable = vtkTRXReader().CanReadFile(path)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+        self.assertEqual(readable, 0)
 
     def test_progress_and_abort(self):
         many = LINES * 400
