@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <nlohmann/json.hpp>
 
@@ -270,8 +271,8 @@ std::vector<vtkIdType> GetOffsets(vtkDataArray* array, const Header& header)
       (isLast && offset != largest))
     {
       throw vtkTrajectoryFileError("expected offsets from 0 to " + std::to_string(end) +
-        " that do not decrease, found " + std::to_string(static_cast<std::uint64_t>(offset)) +
-        " at number " + std::to_string(i));
+        " that do not decrease, found " + array->GetVariantValue(i).ToString() + " at number " +
+        std::to_string(i));
     }
     offsets[i] = static_cast<vtkIdType>(offset);
   }

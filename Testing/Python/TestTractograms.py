@@ -422,9 +422,11 @@ class TestTRX(TestCase):
                 ("offsets.uint32", struct.pack("<3I", 0, 4, 3), "found 3 at number 2"),
                 ("offsets.uint32", struct.pack("<3I", 0, 4, 7), "found 7 at number 2"),
                 ("offsets.uint32", struct.pack("<4I", 0, 4, 5, 5), "found 5 at number 3"),
+                ("offsets.uint64", struct.pack("<3Q", 0, 2, 2**64 - 1),
+                 "found 18446744073709551615 at number 2"),
                 ("positions.3.float32", struct.pack("<18f", *range(17), math.inf),
                  "found NaN or infinity at point 2 of line 2")):
-            entries = trx_entries(LINES)
+            entries = trx_entries(LINES, offset_type="uint64" if name == "offsets.uint64" else "uint32")
             entries[name] = content
             with self.subTest(message=message):
                 self.expect(zip_of({name: entries[name] for name in entries if entries[name] is not None}),
