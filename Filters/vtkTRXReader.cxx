@@ -125,14 +125,11 @@ Header ReadHeader(std::uint64_t size, const vtkTRXArchive::Source& source)
 Header FindHeader(const vtkTRXArchive& archive)
 {
   Header header;
-  archive.Visit(
-    [&](const std::string& name, std::uint64_t size, const vtkTRXArchive::Source& source)
+  archive.VisitOne("header.json",
+    [&](const std::string&, std::uint64_t size, const vtkTRXArchive::Source& source)
     {
-      if (name == "header.json")
-      {
-        header = ReadHeader(size, source);
-      }
-      return !header.IsFound;
+      header = ReadHeader(size, source);
+      return false;
     });
   if (!header.IsFound)
   {

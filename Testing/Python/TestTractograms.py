@@ -499,6 +499,22 @@ class TestRecognition(unittest.TestCase):
             for path in ("", VTK_TEMP_DIR, VTK_TEMP_DIR + "/none", None):
                 self.assertEqual(reader().CanReadFile(path), 0)
 
+    def test_folders_are_not_searched(self):
+        """Only header.json is looked for, whatever else a folder holds."""
+        def seconds(folder):
+            def once():
+                begin = time.perf_counter()
+                self.assertEqual(vtkTRXReader().CanReadFile(folder), int("header" in folder))
+                return time.perf_counter() - begin
+
+            return min(once() for _ in range(10))
+
+        entries = {f"dpv/{number}": b"" for number in range(3000)}
+        few, many, header = write_folder({"a": b""}, "few"), write_folder(entries, "many"), write_folder(
+            {**entries, **trx_entries(LINES)}, "header")
+        for folder in (many, header):
+            self.assertLess(seconds(folder), 10 * seconds(few) + 1e-3)
+
     @unittest.skipUnless(sys.platform == "linux", "the limit is not the same elsewhere")
     def test_without_memory(self):
         path = write(zip_of({"header.json": b"[" * 2**20}), "a.trx")
