@@ -5,9 +5,9 @@
 
 #include "Private/vtkGeographicLines.h"
 #include "Private/vtkTrajectoryFileError.h"
+#include "Private/vtkTrajectoryLines.h"
 #include "Private/vtkTrajectorySource.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -128,8 +128,7 @@ void ExtractUntil(vtkPolyData* lines, double time, vtkPolyData* output)
   positions->SetDataType(lines->GetPoints()->GetDataType());
   positions->SetNumberOfPoints(points->GetNumberOfIds());
   lines->GetPoints()->GetPoints(points, positions);
-  output->SetPoints(positions);
-  output->SetLines(vtkGeographicLines::MakePolylines(offsets));
+  vtkTrajectoryLines::SetGeometry(output, positions, offsets);
   output->GetPointData()->CopyAllocate(lines->GetPointData(), points->GetNumberOfIds());
   output->GetPointData()->CopyData(lines->GetPointData(), points);
   output->GetCellData()->CopyAllocate(lines->GetCellData(), cells->GetNumberOfIds());

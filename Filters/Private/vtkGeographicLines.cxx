@@ -3,8 +3,8 @@
 
 #include "vtkGeographicLines.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
+#include "vtkTrajectoryLines.h"
+
 #include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -192,23 +192,10 @@ void vtkGeographicLines::ForEachPoint(Visitor&& visit) const
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> vtkGeographicLines::MakePolylines(vtkIdTypeArray* offsets)
-{
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(offsets->GetValue(offsets->GetNumberOfValues() - 1));
-  vtkIdType* first = connectivity->GetPointer(0);
-  std::iota(first, first + connectivity->GetNumberOfValues(), vtkIdType(0));
-  auto lines = vtkSmartPointer<vtkCellArray>::New();
-  lines->SetData(offsets, connectivity);
-  return lines;
-}
-
-//------------------------------------------------------------------------------
 void vtkGeographicLines::MakeGeometry(vtkPolyData* output) const
 {
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TrajectoryId");
   offsets->SetNumberOfValues(this->GetNumberOfLines() + 1);
   ids->SetNumberOfValues(this->GetNumberOfLines());
   for (vtkIdType line = 0; line < this->GetNumberOfLines(); ++line)
@@ -218,9 +205,7 @@ void vtkGeographicLines::MakeGeometry(vtkPolyData* output) const
   }
   offsets->SetValue(this->GetNumberOfLines(), this->Points->GetNumberOfPoints());
 
-  output->SetPoints(this->Points);
-  output->SetLines(MakePolylines(offsets));
-  output->GetCellData()->AddArray(ids);
+  vtkTrajectoryLines::SetLines(output, this->Points, offsets, ids);
 }
 
 //------------------------------------------------------------------------------

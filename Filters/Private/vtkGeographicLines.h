@@ -21,8 +21,6 @@
 #include <vector> // for the lines
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCellArray;
-class vtkIdTypeArray;
 class vtkPolyData;
 
 class vtkGeographicLines
@@ -60,9 +58,6 @@ public:
   vtkIdType GetNumberOfInvalidSamples() const { return this->NumberOfInvalidSamples; }
 
   vtkIdType GetNumberOfLines() const { return static_cast<vtkIdType>(this->Lines.size()); }
-
-  /** Polylines over points in sequence: line i has those from offset i up to offset i + 1. */
-  static vtkSmartPointer<vtkCellArray> MakePolylines(vtkIdTypeArray* offsets);
 
   /** The points and lines, and "TrajectoryId" of each line. */
   void MakeGeometry(vtkPolyData* output) const;

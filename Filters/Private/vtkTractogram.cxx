@@ -4,9 +4,9 @@
 #include "vtkTractogram.h"
 
 #include "vtkTrajectoryFileError.h"
+#include "vtkTrajectoryLines.h"
 
 #include "vtkArrayDispatch.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -21,15 +21,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-constexpr const char* TrajectoryIdName = "TrajectoryId";
-
 //------------------------------------------------------------------------------
 struct FindNotFinite
 {
@@ -90,7 +87,6 @@ void vtkTractogram::SetLines(
   points->SetData(coordinates);
 
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(TrajectoryIdName);
   vtkNew<vtkIdTypeArray> ends;
   ends->InsertNextValue(0);
   for (std::size_t line = 0; line + 1 < offsets.size(); ++line)
@@ -101,22 +97,14 @@ void vtkTractogram::SetLines(
       ends->InsertNextValue(offsets[line + 1]);
     }
   }
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(coordinates->GetNumberOfTuples());
-  std::iota(connectivity->GetPointer(0),
-    connectivity->GetPointer(0) + connectivity->GetNumberOfValues(), vtkIdType(0));
-  vtkNew<vtkCellArray> lines;
-  lines->SetData(ends, connectivity);
-
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetCellData()->AddArray(ids);
+  vtkTrajectoryLines::SetLines(output, points, ends, ids);
 }
 
 //------------------------------------------------------------------------------
 void vtkTractogram::AddLineArray(vtkPolyData* output, vtkDataArray* array)
 {
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray(TrajectoryIdName));
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray(vtkTrajectoryLines::IdName));
   const vtkIdType count = ids->GetNumberOfTuples();
   if (count == array->GetNumberOfTuples())
   {
