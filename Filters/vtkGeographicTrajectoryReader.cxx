@@ -250,8 +250,9 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   if (lines.GetNumberOfInvalidSamples() > 0)
   {
     vtkWarningMacro(<< this->GetFileName() << ": " << lines.GetNumberOfInvalidSamples()
-                    << " positions have a pressure of 0 or less, or a latitude beyond the poles; "
-                       "they are taken as gaps.");
+                    << " positions have a pressure of 0 or less, a latitude beyond the poles, a "
+                       "longitude beyond 36000 degrees, or a height beyond the floats; they are "
+                       "taken as gaps.");
   }
   if (lines.GetNumberOfLines() == 0)
   {

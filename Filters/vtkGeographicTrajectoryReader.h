@@ -18,9 +18,10 @@
  *
  * Gaps: positions of which longitude, latitude or the vertical coordinate is missing, NaN or
  * infinite are left out and split the trajectory into several lines; so do, with a warning that
- * counts them, positions with a pressure of 0 or less or a latitude beyond the poles. No line leads
- * through a gap. A single position between two gaps is a polyline of one point. A trajectory
- * without any position has no line.
+ * counts them, positions with a pressure of 0 or less, a latitude beyond the poles, a longitude
+ * beyond +- 36000 degrees, or a z beyond single precision. No line leads through a gap. A single
+ * position between two gaps is a polyline of one point. A trajectory without any position has no
+ * line.
  *
  * Missing is what equals _FillValue or else the default fill value of its type, or missing_value;
  * LAGRANTO's -999.99.

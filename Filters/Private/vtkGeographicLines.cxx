@@ -6,11 +6,10 @@
 #include "vtkTrajectoryLines.h"
 
 #include "vtkIdTypeArray.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,6 +19,9 @@ constexpr double Circle = 360.0;
 
 // Positions that are beyond a pole by no more than rounding are good.
 constexpr double GreatestLatitude = 90.001;
+
+// A hundred turns: numbers far beyond any longitude are damage, or missing values without a mark.
+constexpr double GreatestLongitude = 100.0 * Circle;
 
 constexpr double ReferencePressure = 1000.0; // hPa
 
@@ -69,19 +71,19 @@ vtkGeographicLines::vtkGeographicLines(const vtkTrajectorySource& source,
 //------------------------------------------------------------------------------
 bool vtkGeographicLines::IsValid(vtkIdType trajectory, vtkIdType sample)
 {
+  const double longitude = this->Source.Longitude.Get(trajectory, sample);
   const double latitude = this->Source.Latitude.Get(trajectory, sample);
   const double vertical = this->Source.Vertical.Get(trajectory, sample);
-  if (!std::isfinite(this->Source.Longitude.Get(trajectory, sample)) || !std::isfinite(latitude) ||
-    !std::isfinite(vertical))
+  if (!std::isfinite(longitude) || !std::isfinite(latitude) || !std::isfinite(vertical))
   {
     return false;
   }
-  if (std::abs(latitude) > GreatestLatitude || (this->Axis.LogPressure && vertical <= 0.0))
-  {
-    ++this->NumberOfInvalidSamples;
-    return false;
-  }
-  return true;
+  // The height of a pressure of 0 or less is not finite either.
+  const bool isValid = std::abs(longitude) <= GreatestLongitude &&
+    std::abs(latitude) <= GreatestLatitude &&
+    std::abs(this->Axis(vertical)) <= std::numeric_limits<float>::max();
+  this->NumberOfInvalidSamples += isValid ? 0 : 1;
+  return isValid;
 }
 
 //------------------------------------------------------------------------------

@@ -54,7 +54,10 @@ public:
   vtkGeographicLines(const vtkTrajectorySource& source, const Coordinates& coordinates,
     const Map& map, const VerticalAxis& verticalAxis);
 
-  /** Samples that are no gap of the file, but have a pressure of 0 or less or lie beyond a pole. */
+  /**
+   * Samples that are no gap of the file, but have a pressure of 0 or less, a z that is no float, or
+   * lie beyond a pole or more than a hundred turns away.
+   */
   vtkIdType GetNumberOfInvalidSamples() const { return this->NumberOfInvalidSamples; }
 
   vtkIdType GetNumberOfLines() const { return static_cast<vtkIdType>(this->Lines.size()); }
