@@ -76,22 +76,8 @@ double FindPressureUnit(const Variable& variable)
 double FindHeightUnit(const Variable& variable)
 {
   return FindUnit(variable,
-    { { "", 0.001 }, { "m", 0.001 }, { "gpm", 0.001 }, { "meter", 0.001 }, { "meters", 0.001 },
-      { "metre", 0.001 }, { "metres", 0.001 }, { "km", 1.0 } });
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> FindTimeSteps(vtkTrajectorySource& source)
-{
-  const Samples samples = source.ReadTimes();
-  auto* times = vtkDoubleArray::SafeDownCast(samples.GetValues());
-  const double* begin = times->GetPointer(0);
-  std::vector<double> steps;
-  std::copy_if(begin, begin + times->GetNumberOfValues(), std::back_inserter(steps),
-    [](double time) { return std::isfinite(time); });
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
+    { { "m", 0.001 }, { "gpm", 0.001 }, { "meter", 0.001 }, { "meters", 0.001 }, { "metre", 0.001 },
+      { "metres", 0.001 }, { "km", 1.0 } });
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +146,9 @@ void vtkGeographicTrajectoryReader::ReadInformation(
     throw vtkTrajectoryFileError("EnsembleMember is " + std::to_string(this->EnsembleMember) +
       ", but the file has members 0 to " + std::to_string(this->NumberOfEnsembleMembers - 1));
   }
-  const std::vector<double> steps = FindTimeSteps(*source);
+  const Samples times = source->ReadTimes();
+  const std::vector<double> steps =
+    vtkTrajectorySource::FindTimeSteps(vtkDoubleArray::SafeDownCast(times.GetValues()));
   if (!steps.empty())
   {
     const double range[2] = { steps.front(), steps.back() };
@@ -295,6 +283,10 @@ void vtkGeographicTrajectoryReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfEnsembleMembers: " << this->NumberOfEnsembleMembers << "\n";
   os << indent << "VerticalAxis: " << this->VerticalAxis << "\n";
   os << indent << "HeightArray: " << (this->HeightArray ? this->HeightArray : "(none)") << "\n";
+  if (!source.GetTimeWarning().empty())
+  {
+    vtkWarningMacro(<< this->GetFileName() << ": " << source.GetTimeWarning() << ".");
+  }
   os << indent << "VerticalScale: " << this->VerticalScale << "\n";
   os << indent << "LongitudeMode: " << this->LongitudeMode << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";

@@ -11,9 +11,10 @@
  * so on.
  *
  * After "Reference date YYYYMMDD_HHMM / Time range N min", times are in hh.mm: the fraction is
- * minutes, and "time" has hours in decimals, negative in backward trajectories. (Fractions of 60
- * minutes or more show that the times are in decimals already.) After "time period YYYYMMDD HH
- * UTC", in older files, they are in decimals. The unit of "time" is "hours since" that date.
+ * minutes, and "time" has hours in decimals, negative in backward trajectories. Times whose
+ * fractions would be 60 minutes or more, or whose steps are more even in decimals (0, 0.5, 1), are
+ * in decimals already, with a warning. After "time period YYYYMMDD HH UTC", in older files, they
+ * are in decimals. The unit of "time" is "hours since" that date.
  * Longitude and latitude are in degrees, p in hPa and z in m; the text tells no other units.
  *
  * The value -999.99, NaN and numbers that did not fit their column (asterisks) are missing.

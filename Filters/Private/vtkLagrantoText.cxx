@@ -240,8 +240,7 @@ vtkLagrantoText::vtkLagrantoText(std::string_view text, const Progress& progress
   this->FindOrder();
   if (title.HasMinutes)
   {
-    vtkLagrantoConventions::ConvertToHours(
-      this->Times->GetPointer(0), this->Times->GetNumberOfValues());
+    this->TimeWarning = vtkLagrantoConventions::ConvertToHours(this->Times);
   }
 }
 

@@ -289,7 +289,7 @@ vtkTrajectorySource::Samples vtkNetCDFTrajectories::ReadTimes()
   times->DeepCopy(read.GetValues());
   if (this->FileLayout == Layout::Lagranto && this->File.GetText(this->Time->Id, "units").empty())
   {
-    vtkLagrantoConventions::ConvertToHours(times->GetPointer(0), times->GetNumberOfValues());
+    this->TimeWarning = vtkLagrantoConventions::ConvertToHours(times);
   }
   return { times, 0, 1 };
 }
