@@ -17,11 +17,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtksys/SystemTools.hxx"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,20 +44,24 @@ void Add(vtkDataSetAttributes* attributes, vtkDataArray* array, const std::strin
 }
 
 //------------------------------------------------------------------------------
-double FindUnit(const Variable& variable, const std::map<std::string, double>& units)
+using Units = std::vector<std::pair<const char*, double>>;
+
+//------------------------------------------------------------------------------
+// Of a variable without a unit: the first.
+double FindUnit(const Variable& variable, const Units& units)
 {
-  const auto found = units.find(variable.Units);
-  if (found == units.end())
+  std::string list;
+  for (const auto& unit : units)
   {
-    std::string list;
-    for (const auto& unit : units)
+    if (variable.Units.empty() ||
+      vtksys::SystemTools::Strucmp(variable.Units.c_str(), unit.first) == 0)
     {
       list += unit.first.empty() ? "" : (list.empty() ? "" : ", ") + unit.first;
     }
-    throw vtkTrajectoryFileError("the unit '" + variable.Units + "' of '" + variable.Name +
-      "' is not known; expected one of " + list);
+    list += (list.empty() ? "" : ", ") + std::string(unit.first);
   }
-  return found->second;
+  throw vtkTrajectoryFileError("the unit '" + variable.Units + "' of '" + variable.Name +
+    "' is not known; expected one of " + list);
 }
 
 //------------------------------------------------------------------------------
@@ -67,8 +69,8 @@ double FindUnit(const Variable& variable, const std::map<std::string, double>& u
 double FindPressureUnit(const Variable& variable)
 {
   return FindUnit(variable,
-    { { "", 1.0 }, { "hPa", 1.0 }, { "mbar", 1.0 }, { "mb", 1.0 }, { "millibar", 1.0 },
-      { "millibars", 1.0 }, { "Pa", 0.01 }, { "pascal", 0.01 }, { "Pascal", 0.01 } });
+    { { "hPa", 1.0 }, { "mbar", 1.0 }, { "mb", 1.0 }, { "millibar", 1.0 }, { "millibars", 1.0 },
+      { "Pa", 0.01 }, { "pascal", 0.01 } });
 }
 
 //------------------------------------------------------------------------------

@@ -79,7 +79,7 @@ public:
    *
    * Pressure is the variable of standard name air_pressure or else named pressure, p, P,
    * air_pressure or plev, in Pa or hPa (mbar) as its attribute `units` says, in hPa
-   * where it says nothing.
+   * where it says nothing. Units are known in small and capital letters.
    */
   vtkSetClampMacro(VerticalAxis, int, LOG_PRESSURE, HEIGHT);
   vtkGetMacro(VerticalAxis, int);
