@@ -56,7 +56,7 @@ double FindUnit(const Variable& variable, const Units& units)
     if (variable.Units.empty() ||
       vtksys::SystemTools::Strucmp(variable.Units.c_str(), unit.first) == 0)
     {
-      list += unit.first.empty() ? "" : (list.empty() ? "" : ", ") + unit.first;
+      return unit.second;
     }
     list += (list.empty() ? "" : ", ") + std::string(unit.first);
   }
@@ -138,10 +138,11 @@ void vtkGeographicTrajectoryReader::ReadInformation(
   const std::string& fileName, vtkInformation* outInfo)
 {
   this->NumberOfEnsembleMembers = 0;
+  this->OpenSource = nullptr;
   outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
 
-  const auto source = this->Open(fileName);
+  auto source = this->Open(fileName);
   this->NumberOfEnsembleMembers = source->GetNumberOfMembers();
   if (this->EnsembleMember >= this->NumberOfEnsembleMembers)
   {
@@ -158,16 +159,24 @@ void vtkGeographicTrajectoryReader::ReadInformation(
       vtkStreamingDemandDrivenPipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
     outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
+  if (!this->CheckAbort())
+  {
+    this->OpenSource = std::move(source);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkGeographicTrajectoryReader::ReadTrajectories(
   const std::string& fileName, vtkInformation* outInfo, vtkPolyData* output)
 {
+  auto source = std::move(this->OpenSource);
   if (this->ReadTime < this->GetMTime())
   {
     this->AllTimes->Initialize();
-    const auto source = this->Open(fileName);
+    if (!source)
+    {
+      source = this->Open(fileName);
+    }
     if (!this->ReadAllTimes(*source, this->AllTimes))
     {
       return;
@@ -251,7 +260,7 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   }
   lines.MakeGeometry(output);
 
-  const double start = this->GetProgress();
+  const double start = this->GetOpeningShare();
   for (std::size_t i = 0; i < variables.size() && !this->CheckAbort(); ++i)
   {
     const Samples samples = i == vtkTrajectorySource::Longitude ? coordinates.Longitude
@@ -274,6 +283,10 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   }
   Add(output->GetPointData(), lines.MakePointArray(source.ReadTimes()), TimeName,
     source.GetTimeUnits());
+  if (!source.GetTimeWarning().empty())
+  {
+    vtkWarningMacro(<< this->GetFileName() << ": " << source.GetTimeWarning() << ".");
+  }
   return !this->CheckAbort();
 }
 
@@ -285,10 +298,6 @@ void vtkGeographicTrajectoryReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfEnsembleMembers: " << this->NumberOfEnsembleMembers << "\n";
   os << indent << "VerticalAxis: " << this->VerticalAxis << "\n";
   os << indent << "HeightArray: " << (this->HeightArray ? this->HeightArray : "(none)") << "\n";
-  if (!source.GetTimeWarning().empty())
-  {
-    vtkWarningMacro(<< this->GetFileName() << ": " << source.GetTimeWarning() << ".");
-  }
   os << indent << "VerticalScale: " << this->VerticalScale << "\n";
   os << indent << "LongitudeMode: " << this->LongitudeMode << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";

@@ -30,8 +30,10 @@
  * tells the members); no pressure and no height; no such HeightArray; a unit of pressure or height
  * that is not known (the messages tell what there is).
  *
- * Memory: the output and three to four variables. The lines are kept until the reader changes, so
- * that another time does not cost another reading. Progress is reported after each variable.
+ * The file that UpdateInformation() has opened stays open for the next Update(), and is closed
+ * after it. The lines are kept until the reader changes, so that another time does not cost another
+ * reading. Memory: the output and three to four variables. Progress is reported after each
+ * variable.
  *
  * @sa vtkMet3DReader vtkLagrantoNetCDFReader vtkLagrantoReader
  */
@@ -167,6 +169,9 @@ private:
   vtkGeographicTrajectoryReader(const vtkGeographicTrajectoryReader&) = delete;
   void operator=(const vtkGeographicTrajectoryReader&) = delete;
 
+  /** The part of the time of an update that Open() takes, and reports as progress. Default: 0. */
+  virtual double GetOpeningShare() const { return 0.0; }
+
   // The variable that z is made of.
   std::size_t FindVertical(const vtkTrajectorySource& source, bool& isPressure) const;
 
@@ -177,6 +182,7 @@ private:
   int NumberOfEnsembleMembers = 0;
   int VerticalAxis = LOG_PRESSURE;
   char* HeightArray = nullptr;
+  std::unique_ptr<vtkTrajectorySource> OpenSource; // from information to data, then null
   double VerticalScale = 0.0;
   int LongitudeMode = UNWRAP;
   double CentralLongitude = 0.0;

@@ -22,7 +22,8 @@
  * Errors: no such header; a row with more or fewer columns than names, a word that is not a number
  * (the message tells the line); no row at all; times of different numbers of rows.
  *
- * Memory: the text and 4 bytes for each number, besides the output.
+ * The text is read and parsed once, by UpdateInformation(). Memory: the text while it is parsed,
+ * and 4 bytes for each number until the update has ended, besides the output.
  *
  * Source: M. Sprenger, H. Wernli, "The LAGRANTO Lagrangian analysis tool - version 2.0",
  * Geoscientific Model Development 8, 2015.
@@ -52,6 +53,7 @@ protected:
   ~vtkLagrantoReader() override = default;
 
   std::unique_ptr<vtkTrajectorySource> Open(const std::string& fileName) override;
+  double GetOpeningShare() const override { return 0.9; }
 
 private:
   vtkLagrantoReader(const vtkLagrantoReader&) = delete;
