@@ -147,6 +147,10 @@ public:
    * Which positions the output has. Default is ALL_TIMES. UNTIL_REQUESTED leaves those of "time"
    * greater than, or not comparable with, the pipeline's UPDATE_TIME_STEP out; all are there where
    * it requests no time. The pipeline's TIME_STEPS are the different times in the file.
+   *
+   * ALL_TIMES gives the same lines at every time. Yet the pipeline, which knows only that there are
+   * time steps, executes all filters after the reader again at every step of an animation: take
+   * their output once where they are slow.
    */
   vtkSetClampMacro(TimeSelection, int, ALL_TIMES, UNTIL_REQUESTED);
   vtkGetMacro(TimeSelection, int);
@@ -165,12 +169,12 @@ protected:
   /** Open a file of the reader's format, see vtkTrajectorySource (Private/). Throws. */
   virtual std::unique_ptr<vtkTrajectorySource> Open(const std::string& fileName) = 0;
 
+  /** The part of the time of an update that Open() takes, and reports as progress. Default: 0. */
+  virtual double GetOpeningShare() const { return 0.0; }
+
 private:
   vtkGeographicTrajectoryReader(const vtkGeographicTrajectoryReader&) = delete;
   void operator=(const vtkGeographicTrajectoryReader&) = delete;
-
-  /** The part of the time of an update that Open() takes, and reports as progress. Default: 0. */
-  virtual double GetOpeningShare() const { return 0.0; }
 
   // The variable that z is made of.
   std::size_t FindVertical(const vtkTrajectorySource& source, bool& isPressure) const;
@@ -178,11 +182,11 @@ private:
   // Whether it was not aborted.
   bool ReadAllTimes(vtkTrajectorySource& source, vtkPolyData* output);
 
+  std::unique_ptr<vtkTrajectorySource> OpenSource; // from information to data, then null
   int EnsembleMember = 0;
   int NumberOfEnsembleMembers = 0;
   int VerticalAxis = LOG_PRESSURE;
   char* HeightArray = nullptr;
-  std::unique_ptr<vtkTrajectorySource> OpenSource; // from information to data, then null
   double VerticalScale = 0.0;
   int LongitudeMode = UNWRAP;
   double CentralLongitude = 0.0;
