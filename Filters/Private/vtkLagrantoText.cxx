@@ -19,9 +19,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-// LAGRANTO itself writes up to 104.
-constexpr std::size_t GreatestNumberOfColumns = 4096;
-
 constexpr std::string_view Blanks = " \t\r\v\f";
 
 //------------------------------------------------------------------------------
@@ -109,8 +106,9 @@ Header ReadHeader(LineReader& lines)
   }
   const auto begins = [&header](std::size_t column, const char* name)
   { return vtksys::SystemTools::LowerCase(header.Columns[column]).rfind(name, 0) == 0; };
-  if (header.Columns.size() < 4 || header.Columns.size() > GreatestNumberOfColumns ||
-    !begins(0, "time") || !begins(1, "lon") || !begins(2, "lat"))
+  if (header.Columns.size() < 4 ||
+    header.Columns.size() > vtkTrajectorySource::GreatestNumberOfVariables || !begins(0, "time") ||
+    !begins(1, "lon") || !begins(2, "lat"))
   {
     header.Columns.clear();
   }

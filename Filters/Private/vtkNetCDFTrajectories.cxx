@@ -195,6 +195,12 @@ void vtkNetCDFTrajectories::FindVariables()
       this->FileVariables.push_back(variable);
     }
   }
+  if (this->FileVariables.size() > GreatestNumberOfVariables)
+  {
+    throw vtkTrajectoryFileError("the file has " + std::to_string(this->FileVariables.size()) +
+      " variables of its trajectories; no more than " + std::to_string(GreatestNumberOfVariables) +
+      " can be read");
+  }
   this->File.CheckSize(this->FileVariables);
   this->File.CheckSize({ *this->Time });
 

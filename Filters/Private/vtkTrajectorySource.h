@@ -114,6 +114,9 @@ public:
   static constexpr std::size_t Latitude = 1;
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
+  /** A file with more is refused: what looks for an array by its name takes time for each. */
+  static constexpr std::size_t GreatestNumberOfVariables = 4096;
+
   ///@{
   /**
    * The variable that is pressure or height by its standard name or, where none says so, by a
@@ -132,10 +135,10 @@ public:
 protected:
   std::vector<Variable> Variables;
   std::string TimeUnits;
+  std::string TimeWarning;
 
 private:
   std::size_t FindAny(
-  std::string TimeWarning;
     const std::vector<std::string>& standardNames, const std::vector<std::string>& names) const;
 };
 
