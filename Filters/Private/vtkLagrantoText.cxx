@@ -12,8 +12,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -151,6 +153,18 @@ struct Title
 };
 
 //------------------------------------------------------------------------------
+// A number beyond the range of doubles, which std::from_chars does not read. Closer to 0 than any
+// of them it is 0; too large, the largest of them.
+double ReadOutOfRange(std::string_view word)
+{
+  std::istringstream stream{ std::string(word) };
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> number;
+  return number;
+}
+
+//------------------------------------------------------------------------------
 // NaN for a missing value, also for the asterisks that Fortran writes where a number is too long.
 bool ReadNumber(std::string_view word, double& number)
 {
@@ -161,11 +175,15 @@ bool ReadNumber(std::string_view word, double& number)
   }
   word.remove_prefix(word[0] == '+' ? 1 : 0);
   const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (result.ec == std::errc::result_out_of_range)
+  {
+    number = ReadOutOfRange(word);
+  }
   if (number == vtkLagrantoConventions::MissingValue)
   {
     number = std::numeric_limits<double>::quiet_NaN();
   }
-  return result.ec == std::errc() && result.ptr == word.data() + word.size() &&
+  return result.ec != std::errc::invalid_argument && result.ptr == word.data() + word.size() &&
     (!std::isfinite(number) || std::abs(number) <= std::numeric_limits<float>::max());
 }
 }
