@@ -73,7 +73,7 @@ bool vtkNetCDFTrajectories::CanRead(const char* fileName, Layout layout)
     const vtkNetCDFTrajectories file(fileName, layout);
     return file.FindPressure() != None || file.FindHeight() != None;
   }
-  catch (const vtkTrajectoryFileError&)
+  catch (const std::exception&)
   {
     return false;
   }
