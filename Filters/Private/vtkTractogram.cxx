@@ -4,9 +4,9 @@
 #include "vtkTractogram.h"
 
 #include "vtkTrajectoryFileError.h"
+#include "vtkTrajectoryLines.h"
 
 #include "vtkArrayDispatch.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -23,7 +23,6 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
-#include <numeric>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -91,7 +90,6 @@ vtkTractogram::vtkTractogram(
   points->SetData(coordinates);
 
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(this->LineNames.Take("TrajectoryId").c_str());
   vtkNew<vtkIdTypeArray> ends;
   ends->InsertNextValue(0);
   for (std::size_t line = 0; line + 1 < offsets.size(); ++line)
@@ -102,16 +100,8 @@ vtkTractogram::vtkTractogram(
       ends->InsertNextValue(offsets[line + 1]);
     }
   }
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(coordinates->GetNumberOfTuples());
-  std::iota(connectivity->GetPointer(0),
-    connectivity->GetPointer(0) + connectivity->GetNumberOfValues(), vtkIdType(0));
-  vtkNew<vtkCellArray> lines;
-  lines->SetData(ends, connectivity);
-
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetCellData()->AddArray(ids);
+  this->LineNames.Take(vtkTrajectoryLines::IdName);
+  vtkTrajectoryLines::SetLines(output, points, ends, ids);
   this->LineIds = ids;
 }
 
