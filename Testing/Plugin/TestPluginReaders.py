@@ -154,6 +154,15 @@ class TestPluginReaders(unittest.TestCase):
 
     def test_attributes_are_chosen_one_by_one(self):
         attributes = simple.TrajectoryAttributes(Input=self.pacific())
+        own = attributes.GetClientSideObject()
+        for index in range(own.GetNumberOfAttributes()):
+            setattr(attributes, own.GetAttributeName(index), "Off")
+            attributes.UpdateVTKObjects()
+            statuses = [own.GetAttributeStatus(i) for i in range(own.GetNumberOfAttributes())]
+            self.assertEqual(statuses, [0] * (index + 1) + [2] * (7 - index))
+
+    def test_attributes_are_those_of_the_arrays_and_axes(self):
+        attributes = simple.TrajectoryAttributes(Input=self.pacific())
         self.assertEqual(attributes.PressureArray, "")
         self.assertIn("pressure", attributes.GetProperty("PressureArray").Available)
         attributes.HeightArray = "geopotential_height"
