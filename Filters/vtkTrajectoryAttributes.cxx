@@ -20,6 +20,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -155,9 +156,10 @@ const char* GetUnit(vtkDataArray* array)
 //------------------------------------------------------------------------------
 struct vtkTrajectoryAttributes::Arrays
 {
-  vtkDataArray* Pressure;
-  vtkDataArray* Height; // null: the coordinate along UpAxis
-  vtkDataArray* Time;
+  // An attribute of the same name takes their place in the output while they are needed.
+  vtkSmartPointer<vtkDataArray> Pressure;
+  vtkSmartPointer<vtkDataArray> Height; // null: the coordinate along UpAxis
+  vtkSmartPointer<vtkDataArray> Time;
   bool IsComputed[NUMBER_OF_ATTRIBUTES];
 
   const char* GetUnitOf(int attribute) const
@@ -267,7 +269,7 @@ int vtkTrajectoryAttributes::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
-    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES));
+    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES, this));
     const Arrays arrays = this->FindArrays(output);
     // After an abort the executive empties the output.
     if (this->ComputeOfPoints(arrays, output))

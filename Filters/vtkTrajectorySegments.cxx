@@ -157,7 +157,8 @@ int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
   this->TotalNumberOfSegments = 0;
   try
   {
-    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES_AND_VERTICES));
+    output->ShallowCopy(
+      vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES_AND_VERTICES, this));
     std::vector<double> lengths(output->GetNumberOfLines());
     // After an abort the executive empties the output.
     if (this->MeasureLines(output, lengths))

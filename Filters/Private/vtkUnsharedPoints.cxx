@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -65,7 +66,33 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtkPolyData* output)
+// The point data without arrays that are too short, which cannot be copied.
+vtkSmartPointer<vtkPointData> GetWholeArrays(vtkPolyData* input, vtkObject* filter)
+{
+  auto pointData = vtkSmartPointer<vtkPointData>::New();
+  pointData->ShallowCopy(input->GetPointData());
+  std::string dropped;
+  for (int i = pointData->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = pointData->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < input->GetNumberOfPoints())
+    {
+      dropped = std::string(" '") + (array->GetName() ? array->GetName() : "") + "'" + dropped;
+      pointData->RemoveArray(i);
+    }
+  }
+  if (!dropped.empty())
+  {
+    vtkWarningWithObjectMacro(filter, << "Point arrays that have no value for some of the "
+                                      << input->GetNumberOfPoints()
+                                      << " points are left out:" << dropped << ".");
+  }
+  return pointData;
+}
+
+//------------------------------------------------------------------------------
+void AppendCopies(
+  vtkPolyData* input, const std::vector<vtkIdType>& sources, vtkObject* filter, vtkPolyData* output)
 {
   const vtkIdType pointCount = input->GetNumberOfPoints();
   const vtkIdType total = pointCount + static_cast<vtkIdType>(sources.size());
@@ -73,8 +100,8 @@ void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtk
   vtkNew<vtkIdList> to;
   from->SetNumberOfIds(total);
   to->SetNumberOfIds(total);
-  std::iota(to->GetPointer(0), to->GetPointer(0) + total, 0);
-  std::iota(from->GetPointer(0), from->GetPointer(0) + pointCount, 0);
+  std::iota(to->GetPointer(0), to->GetPointer(0) + total, vtkIdType(0));
+  std::iota(from->GetPointer(0), from->GetPointer(0) + pointCount, vtkIdType(0));
   std::copy(sources.begin(), sources.end(), from->GetPointer(0) + pointCount);
 
   vtkNew<vtkPoints> points;
@@ -83,17 +110,19 @@ void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtk
   input->GetPoints()->GetPoints(from, points);
   output->SetPoints(points);
 
+  const vtkSmartPointer<vtkPointData> source = GetWholeArrays(input, filter);
   vtkPointData* pointData = output->GetPointData();
   pointData->Initialize();
   pointData->CopyAllOn();
-  pointData->CopyAllocate(input->GetPointData(), total);
+  pointData->CopyAllocate(source, total);
   pointData->SetNumberOfTuples(total);
-  pointData->CopyData(input->GetPointData(), from, to);
+  pointData->CopyData(source, from, to);
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(vtkPolyData* input, Cells cells)
+vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(
+  vtkPolyData* input, Cells cells, vtkObject* filter)
 {
   vtkNew<vtkCellArray> none;
   vtkCellArray* vertices = cells == LINES_AND_VERTICES ? input->GetVerts() : none.Get();
@@ -120,7 +149,8 @@ vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(vtkPolyData* input, Cells c
   {
     output->SetVerts(newVertices);
   }
-  AppendCopies(input, copies.GetSources(), output);
+  AppendCopies(input, copies.GetSources(), filter, output);
+  output->DeleteLinks(); // from points to cells; a shallow copy has them from VTK 9.5 on
   return output;
 }
 
