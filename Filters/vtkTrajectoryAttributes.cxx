@@ -8,6 +8,7 @@
 #include "Private/vtkPolylineAttributes.h"
 #include "Private/vtkPolylineRanges.h"
 #include "Private/vtkPolylines.h"
+#include "Private/vtkTrajectoryParts.h"
 #include "Private/vtkUnsharedPoints.h"
 
 #include "vtkCellData.h"
@@ -407,14 +408,15 @@ void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   output->GetCellData()->AddArray(result);
 
   const vtkPolylines lines(output->GetLines());
-  const vtkPolylineRanges ranges(
-    lines, arrays.Pressure, this->TimeWindow > 0.0 ? arrays.Time : nullptr, this->TimeWindow);
+  const std::vector<vtkIdType> firstLines = vtkFindTrajectories(output);
+  const vtkPolylineRanges ranges(lines, firstLines, arrays.Pressure,
+    this->TimeWindow > 0.0 ? arrays.Time : nullptr, this->TimeWindow);
   // The cells of a poly data are numbered from the vertices on, then the lines.
   float* ofLines = result->GetPointer(0) + output->GetNumberOfVerts();
   const vtkIdType minimumBatch = 1024;
   vtkBatches(this, PointsProgress, 1.0)
     .ParallelFor(
-      lines.GetNumberOfLines(),
+      static_cast<vtkIdType>(firstLines.size()) - 1,
       [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); }, minimumBatch);
 }
 

@@ -29,7 +29,8 @@
  * A line of one point, without length or with a coordinate that is NaN or infinite is one segment.
  * Points that lines share, or that a line uses twice such as a closed one, belong to several
  * segments: then the output has a copy, with all point data, for each use but the first, after the
- * points of the input; else the geometry is passed by reference.
+ * points of the input, without the point arrays that are too short to be copied, of which a
+ * warning tells; else the geometry is passed by reference.
  *
  * Lengths are added up in double precision. Cost: two passes over the points, parallel over the
  * lines; same bits with any number of threads. Errors: a cell with a point that does not exist,

@@ -5,6 +5,7 @@
 
 #include "vtkPolylines.h"
 #include "vtkRequirePointIds.h"
+#include "vtkShortArrays.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,21 +73,11 @@ vtkSmartPointer<vtkPointData> GetWholeArrays(vtkPolyData* input, vtkObject* filt
 {
   auto pointData = vtkSmartPointer<vtkPointData>::New();
   pointData->ShallowCopy(input->GetPointData());
-  std::string dropped;
-  for (int i = pointData->GetNumberOfArrays() - 1; i >= 0; --i)
+  std::set<std::string> removed;
+  vtkRemoveShortArrays(pointData, input->GetNumberOfPoints(), removed);
+  if (!removed.empty())
   {
-    vtkAbstractArray* array = pointData->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() < input->GetNumberOfPoints())
-    {
-      dropped = std::string(" '") + (array->GetName() ? array->GetName() : "") + "'" + dropped;
-      pointData->RemoveArray(i);
-    }
-  }
-  if (!dropped.empty())
-  {
-    vtkWarningWithObjectMacro(filter, << "Point arrays that have no value for some of the "
-                                      << input->GetNumberOfPoints()
-                                      << " points are left out:" << dropped << ".");
+    vtkWarningWithObjectMacro(filter, << vtkDescribeShortArrays(removed));
   }
   return pointData;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * vtkTrajectoryAttributes as a filter: which arrays it takes and makes, shared points, other cells,
- * composite data, every error's message, progress, abort, and the same bits with any number of
- * threads.
+ * trajectories of several lines, composite data, every error's message, progress, abort, and the
+ * same bits with any number of threads.
  */
 
 #include "ReferenceTesting.h"
@@ -204,12 +204,51 @@ void TestArraysOfSharedPoints(Checks& checks)
   const std::string warning = observer->GetWarningMessage();
   checks.True("arrays that are too short: " + warning,
     Contains(warning,
-      "Point arrays that have no value for some of the 6 points are left out: 'first' "
+      "These arrays do not have a tuple for each point or cell, and are left out: 'first', "
       "'second'.") &&
       warning.find("Warning:") == warning.rfind("Warning:"));
   vtkPointData* pointData = filter->GetOutput()->GetPointData();
   checks.True("only these are left out",
     !pointData->HasArray("first") && !pointData->HasArray("second") && pointData->HasArray("p"));
+}
+
+//------------------------------------------------------------------------------
+// A gap, or an edge of the map, divides a trajectory into several lines; a vertex comes before.
+void TestParts(Checks& checks)
+{
+  const auto data = MakeTrajectories({ { { 0, 0, 0 }, { 1, 0, 0 } }, { { 5, 0, 0 } }, {},
+    { { 6, 0, 0 }, { 7, 0, 0 } }, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } } });
+  AddPointArray(data, "pressure", { 900, 850, 700, MissingValue, 300, 500, 480, 440 });
+  AddPointArray(data, "time", { 0, 1, 2, 3, 4, 0, 1, 2 });
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  data->SetVerts(vertices);
+  const auto expect = [&](const char* what, double window, const std::vector<double>& values)
+  {
+    vtkNew<vtkTrajectoryAttributes> filter;
+    filter->SetInputData(data);
+    filter->SetTimeWindow(window);
+    filter->Update();
+    vtkDataArray* total = filter->GetOutput()->GetCellData()->GetArray("TotalPressureDifference");
+    for (std::size_t line = 0; line < values.size(); ++line)
+    {
+      const double found = total->GetTuple1(static_cast<vtkIdType>(line + 1));
+      checks.True(std::string(what) + " " + std::to_string(line) + ": " + std::to_string(found),
+        std::isnan(values[line]) ? std::isnan(found) : found == values[line]);
+    }
+  };
+  expect("without ids, line", 0.0, { 50, 0, MissingValue, 0, 60 });
+
+  vtkNew<vtkDoubleArray> ids;
+  ids->SetName("TrajectoryId");
+  data->GetCellData()->AddArray(ids);
+  for (const double id : { 4, 4, 4, 4, 4, 9 })
+  {
+    ids->InsertNextValue(id);
+  }
+  expect("all parts, line", 0.0, { 600, 600, 600, 600, 60 });
+  expect("window over parts, line", 2.0, { 400, 400, 400, 400, 60 });
+  expect("short window over parts, line", 1.0, { 150, 150, 150, 150, 40 });
 }
 
 //------------------------------------------------------------------------------
@@ -331,6 +370,7 @@ int TestTrajectoryAttributesPipeline(int, char*[])
   TestArrays(checks);
   TestSharedPoints(checks);
   TestArraysOfSharedPoints(checks);
+  TestParts(checks);
   TestErrors(checks);
   TestPipeline(checks);
   return checks.Result();
