@@ -74,9 +74,8 @@ class TestPacific(TestCase):
 
     def test_rise_does_not_depend_on_the_map(self):
         def rises(**properties):
-            reader = vtkMet3DReader(FileName=str(PACIFIC), **properties)
             attributes = vtkTrajectoryAttributes()
-            attributes.SetInputConnection(reader.GetOutputPort())
+            attributes.SetInputData(read(vtkMet3DReader, **properties)[0])
             attributes.Update()
             output = attributes.GetOutput()
             return set(
