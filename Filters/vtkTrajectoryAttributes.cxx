@@ -5,6 +5,7 @@
 
 #include "Private/vtkBatches.h"
 #include "Private/vtkFieldVectors.h"
+#include "Private/vtkFillOutput.h"
 #include "Private/vtkPolylineAttributes.h"
 #include "Private/vtkPolylineRanges.h"
 #include "Private/vtkPolylines.h"
@@ -268,23 +269,14 @@ int vtkTrajectoryAttributes::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  try
-  {
-    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES, this));
-    const Arrays arrays = this->FindArrays(output);
-    // After an abort the executive empties the output.
-    if (this->ComputeOfPoints(arrays, output))
+  return vtkFillOutput(this, output,
+    [&]
     {
-      this->ComputeTotalPressureDifference(arrays, output);
-    }
-    return 1;
-  }
-  catch (const std::logic_error& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES, this));
+      const Arrays arrays = this->FindArrays(output);
+      return this->ComputeOfPoints(arrays, output) &&
+        this->ComputeTotalPressureDifference(arrays, output);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -395,12 +387,12 @@ bool vtkTrajectoryAttributes::ComputeOfPoints(const Arrays& arrays, vtkPolyData*
 }
 
 //------------------------------------------------------------------------------
-void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
+bool vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   const Arrays& arrays, vtkPolyData* output)
 {
   if (!arrays.IsComputed[TOTAL_PRESSURE_DIFFERENCE])
   {
-    return;
+    return true;
   }
   const auto result = MakeArray(TOTAL_PRESSURE_DIFFERENCE, output->GetNumberOfCells(),
     arrays.GetUnitOf(TOTAL_PRESSURE_DIFFERENCE));
@@ -414,7 +406,7 @@ void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   // The cells of a poly data are numbered from the vertices on, then the lines.
   float* ofLines = result->GetPointer(0) + output->GetNumberOfVerts();
   const vtkIdType minimumBatch = 1024;
-  vtkBatches(this, PointsProgress, 1.0)
+  return vtkBatches(this, PointsProgress, 1.0)
     .ParallelFor(
       static_cast<vtkIdType>(firstLines.size()) - 1,
       [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); }, minimumBatch);

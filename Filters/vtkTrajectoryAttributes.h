@@ -199,7 +199,7 @@ private:
   Arrays FindArrays(vtkPolyData* input) const;
   bool IsComputed(int attribute, const Arrays& arrays, vtkPolyData* input) const;
   bool ComputeOfPoints(const Arrays& arrays, vtkPolyData* output);
-  void ComputeTotalPressureDifference(const Arrays& arrays, vtkPolyData* output);
+  bool ComputeTotalPressureDifference(const Arrays& arrays, vtkPolyData* output);
 
   std::array<int, NUMBER_OF_ATTRIBUTES> Statuses;
   std::string PressureArray;
