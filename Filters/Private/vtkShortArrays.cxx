@@ -31,7 +31,8 @@ std::string vtkDescribeShortArrays(const std::set<std::string>& removed)
   {
     names += (names.empty() ? "'" : ", '") + name + "'";
   }
-  return "These arrays do not have a tuple for each point or cell, and are left out: " + names + ".";
+  return "These arrays do not have a tuple for each point or cell, and are left out: " + names +
+    ".";
 }
 
 VTK_ABI_NAMESPACE_END
