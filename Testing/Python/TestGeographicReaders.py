@@ -15,6 +15,7 @@ from pellucid import (
     vtkLagrantoNetCDFReader,
     vtkLagrantoReader,
     vtkMet3DReader,
+    vtkTrajectoryAttributes,
     vtkTrajectoryReaderFactory,
 )
 from readers import (
@@ -70,6 +71,22 @@ class TestPacific(TestCase):
             line = [pressure.GetValue(ids.GetId(i)) for i in range(ids.GetNumberOfIds())]
             count += max(line) - min(line) > 500
         self.assertEqual(count, 24)
+
+    def test_rise_does_not_depend_on_the_map(self):
+        def rises(**properties):
+            attributes = vtkTrajectoryAttributes()
+            attributes.SetInputData(read(vtkMet3DReader, **properties)[0])
+            attributes.Update()
+            output = attributes.GetOutput()
+            return set(
+                zip(cells(output, "TrajectoryId"), cells(output, "TotalPressureDifference"))
+            )
+
+        expected = rises()
+        self.assertEqual(sum(rise > 500 for _, rise in expected), 24)
+        for longitude in range(-180, 180, 30):
+            found = rises(LongitudeMode=Base.CUT, CentralLongitude=longitude)
+            self.assertEqual(found, expected, longitude)
 
     def test_unwrap_and_cut(self):
         unwrapped = xs_of(read(vtkMet3DReader)[0])
