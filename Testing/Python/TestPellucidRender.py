@@ -9,6 +9,7 @@ import unittest
 import numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
@@ -23,7 +24,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataWriter,
 )
 
-from render_program import BACKGROUND, DATA, RenderTest, make_lines, write
+from render_program import BACKGROUND, DATA, NEAR, RenderTest, make_lines, make_polylines, write
 
 FRONT = ("--camera-position", "0,0,10", "--focal-point", "0,0,0", "--view-up", "0,1,0")
 KEYS = [
@@ -186,6 +187,26 @@ class TestPicture(RenderTest):
                 self.assertEqual(statistics["fragments"], 0)
                 self.assertGreater(statistics["stages"]["render"], 0)
         self.assertFalse(numpy.array_equal(pictures["vtk"], pictures["pellucid"]))
+
+    def test_methods_color_other_cells_alike(self):
+        """The values of cells stay with theirs where lines become tubes."""
+        data = make_polylines(
+            (((-1, 0.5, 0), (1, 0.5, 0)), ((-1, 0.7, 0), (1, 0.7, 0))), (),
+            (("value", (0, 0, 0, 1)),))
+        squares = vtkCellArray()
+        for x in (-0.8, 0.2):
+            squares.InsertNextCell(4)
+            for corner in ((x, -0.6, 0), (x + 0.6, -0.6, 0), (x + 0.6, 0, 0), (x, 0, 0)):
+                squares.InsertCellPoint(data.GetPoints().InsertNextPoint(corner))
+        data.SetPolys(squares)
+        write(vtkPolyDataWriter(), data, self.folder / "squares.vtk", FileType=2)
+        options = (self.folder / "squares.vtk", "--size", "120x90", *NEAR, "--opacity", "1",
+                   "--lighting", "off", "--color-by", "value", "--radius", "0.02")
+        exact, _ = self.render(*options)
+        stock, _ = self.render(*options, "--method", "vtk")
+        for column in (40, 80):
+            self.assertLessEqual(abs(exact[57, column] - stock[57, column]).max(), 1, column)
+        self.assertGreater(abs(exact[57, 40] - exact[57, 80]).max(), 50)
 
     def test_compare(self):
         options = ("--radius", "0.05", "--background", "0,0,0")
