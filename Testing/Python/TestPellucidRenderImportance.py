@@ -212,6 +212,20 @@ class TestSelection(ImportanceTest):
             self.assertEqual(statistics["selected_lines"], expected, window)
 
 
+    def test_percentiles_of_nothing_are_told_once(self):
+        missing = self.folder / "missing.vtk"
+        write(vtkPolyDataWriter(), make_polylines(
+            self.positions, (("p", self.pressure.ravel()), ("none", numpy.nan * self.pressure.ravel())),
+            (("number", range(4)),)), missing, FileType=2)
+        for others in ((), ("--select", "number:10%:")):
+            result = self.run_program(missing, "-o", self.folder / "picture.png", "--select",
+                                      "none:5%:", *others)
+            self.assertEqual(result.returncode, 1)
+            warning, error = result.stderr.splitlines()
+            self.assertIn("no finite value to take percentiles of", warning)
+            self.assertIn("--select: leaves nothing to draw", error)
+
+
 class TestListing(ImportanceTest):
     def test_table(self):
         lines = self.list_arrays(self.file)
