@@ -10,7 +10,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -61,13 +60,10 @@ std::string ChooseName(const Drawable& drawable)
 // Append finite values of the array, lengths in case of vectors; of a large array, some.
 void Sample(vtkDataArray* array, std::vector<double>& values)
 {
-  const int components = array->GetNumberOfComponents();
-  std::vector<double> tuple(components);
   const vtkIdType step = std::max<vtkIdType>(1, array->GetNumberOfTuples() / SampleSize);
   for (vtkIdType id = 0; id < array->GetNumberOfTuples(); id += step)
   {
-    array->GetTuple(id, tuple.data());
-    const double value = components == 1 ? tuple.front() : vtkMath::Norm(tuple.data(), components);
+    const double value = GetNumber(array, id);
     if (std::isfinite(value))
     {
       values.push_back(value);

@@ -14,7 +14,7 @@
 
 namespace pellucid
 {
-/** All of the text as one finite number. */
+/** All of the text as one finite number; one that is too small for a double is 0. */
 std::optional<double> ToNumber(std::string_view text);
 
 /** "X,Y,Z" */

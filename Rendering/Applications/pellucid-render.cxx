@@ -14,6 +14,7 @@
 #include "MessageLog.h"
 #include "PictureFile.h"
 #include "PictureMaking.h"
+#include "PlainText.h"
 #include "RenderError.h"
 #include "SceneImportance.h"
 
@@ -66,7 +67,7 @@ void Run(const pellucid::RenderOptions& options)
 //------------------------------------------------------------------------------
 int Fail(const std::string& message)
 {
-  std::cerr << "pellucid-render: " << message << "\n";
+  std::cerr << "pellucid-render: " << pellucid::MakePrintable(message) << "\n";
   return 1;
 }
 }

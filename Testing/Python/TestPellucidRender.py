@@ -107,6 +107,14 @@ class TestPicture(RenderTest):
         self.assertGreater(covered[0], 100)
         self.assertGreater(covered[2], 3 * covered[1])
 
+    def test_numbers(self):
+        """Of any notation; what is too small for a double is 0."""
+        pictures = [self.draw_lines("--radius", text).tobytes()
+                    for text in ("0.1", "+.1", "1e-1", "0", "1e-999")]
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[2])
+        self.assertEqual(pictures[3], pictures[4])
+
     def test_lighting(self):
         shaded = self.draw_lines("--radius", "0.2", "--opacity", "1", "--lighting", "on")
         flat = self.draw_lines("--radius", "0.2", "--opacity", "1", "--lighting", "off")
@@ -426,6 +434,10 @@ class TestUsage(RenderTest):
             ("--opacity", "--opacity", "1.5"),
             ("--radius", "--radius", "-1"),
             ("--radius", "--radius", "inf"),
+            *(("--radius", "--radius", text) for text in ("", " 1", "1 ", "0x1", "1e999", "1e", ".")),
+            *(("--color-range", "--color-range=" + text)
+              for text in ("1", "1:1", "2:1", "a:1", ":", "0:", "0:nan", "0:1:2", "")),
+            ("and at most 1000000,", "--vertical-scale", "2e6"),
             ("--lighting", "--lighting", "maybe"),
             ("--camera-position", "--camera-position", "1,2"),
             ("--focal-point", "--focal-point", "a,b,c"),

@@ -7,7 +7,7 @@ import unittest
 
 import numpy
 import pellucid
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
@@ -250,6 +250,35 @@ class TestListing(ImportanceTest):
         for axis, expected in (("x", 0.25), ("y", 0), ("z", 0)):
             row = self.table(self.list_arrays(self.file, "--up", axis))["SegmentHeightDifference"]
             self.assertAlmostEqual(float(row["maximum"]), expected, 6)
+
+    def test_numbers_of_any_size(self):
+        """Large and small ones are neither lost nor written with an exponent without need."""
+        data = make_polylines([[(0, 0, 0), (1, 0, 0)]], (
+            ("id", (100000, 2000000)), ("small", (0.1, -1e-4)), ("tiny", (1e-5, 1e20))))
+        for name, values in (("large", [1e300, 1e305]), ("long", [(1e200, 0), (0, -5e250)]),
+                             ("exact", [1e15, 999999999999999])):
+            array = numpy_to_vtk(numpy.array(values), deep=True)
+            array.SetName(name)
+            data.GetPointData().AddArray(array)
+        path = self.folder / "sizes.vtk"
+        write(vtkPolyDataWriter(), data, path, FileType=2)
+        rows = self.table(self.list_arrays(path))
+        for name, expected in (
+            ("id", ("100000", "2000000")), ("small", ("-0.0001", "0.1")), ("tiny", ("1e-05", "1e+20")),
+            ("large", ("1e+300", "1e+305")), ("long", ("1e+200", "5e+250")),
+            ("exact", ("999999999999999", "1e+15")),
+        ):
+            self.assertEqual((rows[name]["minimum"], rows[name]["maximum"]), expected)
+            self.assertEqual(rows[name]["missing"], "0")
+
+    def test_control_characters_do_not_reach_the_terminal(self):
+        name, unit = "r\x1b[31m\u00e9\x9b\x7fd", "\x07\u00b0C"
+        path = self.folder / "control.vtk"
+        write(vtkPolyDataWriter(), make_polylines(
+            self.positions, ((name, self.pressure.ravel()),), (), {name: unit}), path, FileType=2)
+        row = self.table(self.list_arrays(path))["r?[31m\u00e9???d"]
+        self.assertEqual(row["unit"], "?\u00b0C")
+        self.refuse(1, "r?[31m\u00e9???d (points)", path, "--color-by", "q")
 
     def test_arrays_of_the_file_come_first(self):
         """An array that bears the name of a computed one is not replaced."""
