@@ -93,6 +93,16 @@ std::optional<std::array<int, 2>> ToSize(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
+std::optional<NumberRange> ToRange(std::string_view text)
+{
+  const auto maximum = ToNumber(TakeLast(text).value_or(""));
+  const auto minimum = ToNumber(text);
+  return minimum && maximum && *minimum < *maximum
+    ? std::optional<NumberRange>({ *minimum, *maximum })
+    : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
 std::optional<RangeLimit> ToLimit(std::string_view text)
 {
   const bool isPercentile = !text.empty() && text.back() == '%';

@@ -26,6 +26,9 @@ constexpr int LargestSide = 65536;
 /** "WxH", each 1 to LargestSide. */
 std::optional<std::array<int, 2>> ToSize(std::string_view text);
 
+/** "MINIMUM:MAXIMUM", two numbers, the first below the second. */
+std::optional<NumberRange> ToRange(std::string_view text);
+
 /** "500", or "5%" with 0 to 100 per cent. */
 std::optional<RangeLimit> ToLimit(std::string_view text);
 

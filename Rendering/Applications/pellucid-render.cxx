@@ -54,7 +54,7 @@ void Run(const pellucid::RenderOptions& options)
     statistics.SelectedLines += drawable.GetNumberOfLines();
   }
   statistics.ImportanceHistogram = AddImportance(drawables, options);
-  const Coloring colors(drawables, options.ColorBy);
+  const Coloring colors(drawables, options);
   const Scene scene{ std::move(drawables), colors };
   const Frame frame = MakePicture(scene, options);
   WritePicture(frame.Picture, options.Output);

@@ -85,6 +85,22 @@ class TestPicture(RenderTest):
         constant = self.draw_lines("--color-by", "Constant", "--radius", "0.05")
         self.assertFalse(numpy.array_equal(by_height, constant))
 
+    def test_color_range(self):
+        """A line keeps its colour whatever else is drawn."""
+        options = ("--radius", "0.1", "--opacity", "1", "--color-by", "Line")
+        only = ("--select", "Line:1:1")
+        whole = self.draw_lines(*options, "--color-range", "0:3")
+        some = self.draw_lines(*options, "--color-range", "0:3", *only)
+        self.assertTrue((some[20, 60] != BACKGROUND).any())
+        self.assertTrue(numpy.array_equal(whole[20, 60], some[20, 60]))
+        self.assertFalse(numpy.array_equal(whole[20, 60], self.draw_lines(*options, *only)[20, 60]))
+        self.assertGreater(whole[20, 60, 2], whole[20, 60, 0])  # a third of the range is cool
+        self.assertTrue(numpy.array_equal(
+            self.draw_lines(*options), self.draw_lines(*options, "--color-range", "0:1")))
+        write(vtkSTLWriter(), self.sphere, self.folder / "plain.stl")
+        self.refuse(1, "--color-range: there is no array", self.folder / "plain.stl",
+                    "--color-range", "0:1")
+
     def test_opacity_blends_in_depth_order(self):
         options = ("--radius", "0.1", "--lighting", "off")
         opaque = self.draw_lines("--opacity", "1", *options)
