@@ -96,10 +96,12 @@ void WriteRows(std::ostream& stream, const std::vector<Row>& rows)
 void WriteArrayTable(std::ostream& stream, const std::vector<Drawable>& drawables)
 {
   bool hasVectors = false;
+  bool hasMap = false;
   for (const Drawable& drawable : drawables)
   {
     stream << MakePrintable(drawable.Name) << ": " << drawable.GetNumberOfPoints() << " points, "
            << drawable.GetNumberOfLines() << " lines\n";
+    hasMap = hasMap || drawable.IsMap;
     std::vector<Row> rows = { Titles };
     for (const SceneArray& array : GetArrays(drawable))
     {
@@ -112,6 +114,12 @@ void WriteArrayTable(std::ostream& stream, const std::vector<Drawable>& drawable
   if (hasVectors)
   {
     stream << "Of arrays with several components, minimum and maximum are those of the length.\n";
+  }
+  if (hasMap)
+  {
+    stream << "Lengths, velocities and angles that are computed in longitude and latitude, and "
+              "without --height\ndifferences of height, are those of the map: in degrees, with z "
+              "as --vertical-scale says.\n";
   }
 }
 }

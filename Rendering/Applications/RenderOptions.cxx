@@ -145,7 +145,12 @@ void AddImportanceOptions(CLI::App& app, RenderOptions& options)
     "Draw only the lines that have a value of the array in this range; an empty limit is open. Of "
     "several, all must hold");
   group.AddText("--pressure", options.Pressure, "ARRAY",
-    "Pressure of computed arrays; default: the array with a name that is common for it");
+    "Pressure of computed arrays, of the points; default: the array with a name that is common for "
+    "it");
+  group.AddText("--height", options.Height, "ARRAY",
+    "Height that SegmentHeightDifference compares, of the points; default: the coordinate that "
+    "--up "
+    "names");
   group.AddChoice("--up", options.UpAxis, { { "x", 0 }, { "y", 1 }, { "z", 2 } },
     "Axis that points up, for computed arrays and the camera; default z");
   group.AddNumber("--time-window", options.TimeWindow, 0.0, OptionGroup::Unbounded, "T",

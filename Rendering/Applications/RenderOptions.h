@@ -101,6 +101,7 @@ struct RenderOptions
   double Exponent = 1.0;
   std::vector<SelectionRange> Selections;
   std::string Pressure;    // empty: the array that is commonly called so
+  std::string Height;      // empty: the coordinate along the axis that points up
   int UpAxis = 2;          // 0 x, 1 y, 2 z
   double TimeWindow = 0.0; // unit of the time array; 0: the whole line
 

@@ -251,6 +251,14 @@ class TestListing(ImportanceTest):
             row = self.table(self.list_arrays(self.file, "--up", axis))["SegmentHeightDifference"]
             self.assertAlmostEqual(float(row["maximum"]), expected, 6)
 
+    def test_height(self):
+        rows = self.table(self.list_arrays(self.file, "--height", "p"))
+        self.assertEqual(rows["SegmentHeightDifference"]["maximum"], "-12.5")
+        self.assertEqual(rows["SegmentHeightDifference"]["unit"], "hPa")
+        lines = self.list_arrays(self.file, self.lines, "--height", "p", "--up", "y")
+        row = self.table(lines[lines.index("") + 1:])["SegmentHeightDifference"]
+        self.assertEqual(row["maximum"], "2")
+
     def test_numbers_of_any_size(self):
         """Large and small ones are neither lost nor written with an exponent without need."""
         data = make_polylines([[(0, 0, 0), (1, 0, 0)]], (
@@ -313,7 +321,7 @@ class TestRefusals(ImportanceTest):
     def test_unknown_arrays(self):
         existing = "TotalPressureDifference (lines, computed), TurningAngle (points, computed)"
         for arguments in (("--importance", "q:0:1"), ("--select", "q:0:"), ("--color-by", "q"),
-                          ("--pressure", "q"), ("--color-by", "Importance")):
+                          ("--pressure", "q"), ("--height", "q"), ("--color-by", "Importance")):
             with self.subTest(arguments=arguments):
                 self.refuse(1, existing, self.file, *arguments)
                 self.refuse(1, f"{arguments[0]}: there is no array", self.file, *arguments)
@@ -327,8 +335,21 @@ class TestRefusals(ImportanceTest):
             (self.folder / "sphere.ply", "TurningAngle", "lines;"),
         ):
             self.refuse(1, f"{name} is computed from {needs}", file, "--color-by", name)
-        self.refuse(1, "TimeWindow needs the time", self.file, "--time-window",
-                    "1", "--color-by", "TotalPressureDifference")
+        for name in ("TotalPressureDifference", "p"):
+            self.refuse(1, "--time-window: needs the time of the points", self.file,
+                        "--time-window", "1", "--color-by", name)
+
+    def test_time_in_another_input(self):
+        timed = self.folder / "without-pressure.vtk"
+        time = numpy.tile(numpy.arange(POINTS), 4)
+        write(vtkPolyDataWriter(), make_polylines(self.positions, (("Time", time),)), timed, FileType=2)
+        self.refuse(1, "--pressure names, and with time, for --time-window", self.file, timed,
+                    "--time-window", "1", "--color-by", "TotalPressureDifference")
+
+    def test_roles_are_of_points(self):
+        for option in ("--pressure", "--height"):
+            self.refuse(1, f"{option}: there is no array 'number' with numbers of the points",
+                        self.file, option, "number")
 
     def test_arrays_of_different_inputs(self):
         self.refuse(1, "no input has all of the arrays", self.file, self.lines,
