@@ -164,7 +164,6 @@ void TestSharedPoints(Checks& checks)
   data->BuildLinks();
   filter->Modified();
   filter->Update();
-  output->BuildLinks();
   vtkNew<vtkIdList> cells;
   output->GetPointCells(output->GetNumberOfPoints() - 1, cells);
   checks.True(
