@@ -45,6 +45,12 @@ endif ()
 find_package(VTK 9.2 REQUIRED
   COMPONENTS ${pellucid_vtk_components}
   OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
+# The releases 9.2.0 to 9.2.6 are older than that date of VTK's development.
+if (VTK_VERSION VERSION_LESS "9.2.20230111")
+  message(FATAL_ERROR
+    "Pellucid needs the VTK of ParaView 5.11 (9.2.20230111) or VTK 9.3 or newer. The VTK ${VTK_VERSION} "
+    "in ${VTK_DIR} lacks vtkAlgorithm::CheckAbort; choose another with VTK_DIR.")
+endif ()
 include(PellucidVTKStringABI)
 message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
 
