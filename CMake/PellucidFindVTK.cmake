@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# VTK, alone or through ParaView. `PELLUCID_VTK_COMPONENTS` is also what an installed package asks for.
-set(PELLUCID_VTK_COMPONENTS
+# VTK, alone or through ParaView.
+set(pellucid_vtk_components
   CommonColor
   CommonCore
   CommonDataModel
@@ -42,13 +42,15 @@ if (PELLUCID_BUILD_PLUGIN)
   find_package(ParaView 5.11 REQUIRED
     COMPONENTS RemotingCore RemotingServerManager RemotingViews
     OPTIONAL_COMPONENTS pvpython pvbatch)
-  find_package(VTK REQUIRED
-    COMPONENTS ${PELLUCID_VTK_COMPONENTS}
-    OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
-else ()
-  find_package(VTK 9.2 REQUIRED
-    COMPONENTS ${PELLUCID_VTK_COMPONENTS}
-    OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
+endif ()
+find_package(VTK 9.2 REQUIRED
+  COMPONENTS ${pellucid_vtk_components}
+  OPTIONAL_COMPONENTS ${pellucid_vtk_optional_components})
+# The releases 9.2.0 to 9.2.6 are older than that date of VTK's development.
+if (VTK_VERSION VERSION_LESS "9.2.20230111")
+  message(FATAL_ERROR
+    "Pellucid needs the VTK of ParaView 5.11 (9.2.20230111) or VTK 9.3 or newer. The VTK ${VTK_VERSION} "
+    "in ${VTK_DIR} lacks vtkAlgorithm::CheckAbort; choose another with VTK_DIR.")
 endif ()
 include(PellucidVTKStringABI)
 message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")

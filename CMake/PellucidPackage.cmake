@@ -9,6 +9,11 @@ vtk_module_export_find_packages(
   FILE_NAME "PellucidModules-vtk-module-find-packages.cmake"
   MODULES ${pellucid_modules})
 
+list(TRANSFORM pellucid_modules REPLACE "^Pellucid::" "" OUTPUT_VARIABLE PELLUCID_COMPONENTS)
+set(PELLUCID_DEPENDENCY_PROPERTIES INTERFACE_vtk_module_depends)
+if (NOT BUILD_SHARED_LIBS)
+  list(APPEND PELLUCID_DEPENDENCY_PROPERTIES INTERFACE_vtk_module_private_depends)
+endif ()
 configure_package_config_file(CMake/PellucidConfig.cmake.in
   "${CMAKE_BINARY_DIR}/${pellucid_cmake_destination}/PellucidConfig.cmake"
   INSTALL_DESTINATION "${pellucid_cmake_destination}")

@@ -20,7 +20,7 @@ paraview_plugin_build(
   AUTOLOAD ${pellucid_plugins}
   PLUGINS_FILE_NAME "pellucid.xml"
   INSTALL_HEADERS OFF
-  # ParaView cannot make help pages for a plugin that has representations only.
+  # Help pages would need Qt's tools; the texts in the panels do not.
   DISABLE_XML_DOCUMENTATION ON
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"

@@ -11,11 +11,9 @@ endif ()
 vtk_module_python_default_destination(pellucid_python_destination)
 vtk_module_wrap_python(
   MODULES ${pellucid_modules}
-  INSTALL_EXPORT PellucidPython
   INSTALL_HEADERS OFF
   PYTHON_PACKAGE "pellucid"
   MODULE_DESTINATION "${pellucid_python_destination}"
-  CMAKE_DESTINATION "${pellucid_cmake_destination}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   TARGET Pellucid::Python
   BUILD_STATIC OFF)

@@ -147,18 +147,19 @@ endfunction ()
 
 #[[
 pellucid_add_project_test(NAME <name> SOURCE <folder> OPTIONS <-DVAR=value>...
-                          [PROGRAM <name>] [REQUIRES <fixture>])
+                          [PROGRAM <name> <argument>...] [REQUIRES <fixture>])
 
 Add the test, labelled package, that the CMake project of a folder configures and builds with these
-options, and that the program that it builds, if any, returns 0.
+options, and that the program that it builds, if any, returns 0 for these arguments.
 ]]
 function (pellucid_add_project_test)
-  cmake_parse_arguments(PARSE_ARGV 0 project "" "NAME;SOURCE;PROGRAM;REQUIRES" "OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 0 project "" "NAME;SOURCE;REQUIRES" "OPTIONS;PROGRAM")
   set(folder "${CMAKE_BINARY_DIR}/Testing/${project_NAME}")
   set(run "")
   if (project_PROGRAM)
+    list(POP_FRONT project_PROGRAM program)
     set(run --test-command "${PROJECT_SOURCE_DIR}/Testing/with-display"
-      "${folder}/${project_PROGRAM}")
+      "${folder}/${program}" ${project_PROGRAM})
   endif ()
   list(GET PELLUCID_TEST_WINDOWS 0 window)
   add_test(NAME "${project_NAME}"

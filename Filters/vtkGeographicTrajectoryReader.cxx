@@ -5,9 +5,9 @@
 
 #include "Private/vtkGeographicLines.h"
 #include "Private/vtkTrajectoryFileError.h"
+#include "Private/vtkTrajectoryLines.h"
 #include "Private/vtkTrajectorySource.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -17,11 +17,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtksys/SystemTools.hxx"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,20 +44,24 @@ void Add(vtkDataSetAttributes* attributes, vtkDataArray* array, const std::strin
 }
 
 //------------------------------------------------------------------------------
-double FindUnit(const Variable& variable, const std::map<std::string, double>& units)
+using Units = std::vector<std::pair<const char*, double>>;
+
+//------------------------------------------------------------------------------
+// Of a variable without a unit: the first.
+double FindUnit(const Variable& variable, const Units& units)
 {
-  const auto found = units.find(variable.Units);
-  if (found == units.end())
+  std::string list;
+  for (const auto& unit : units)
   {
-    std::string list;
-    for (const auto& unit : units)
+    if (variable.Units.empty() ||
+      vtksys::SystemTools::Strucmp(variable.Units.c_str(), unit.first) == 0)
     {
-      list += unit.first.empty() ? "" : (list.empty() ? "" : ", ") + unit.first;
+      return unit.second;
     }
-    throw vtkTrajectoryFileError("the unit '" + variable.Units + "' of '" + variable.Name +
-      "' is not known; expected one of " + list);
+    list += (list.empty() ? "" : ", ") + std::string(unit.first);
   }
-  return found->second;
+  throw vtkTrajectoryFileError("the unit '" + variable.Units + "' of '" + variable.Name +
+    "' is not known; expected one of " + list);
 }
 
 //------------------------------------------------------------------------------
@@ -67,8 +69,8 @@ double FindUnit(const Variable& variable, const std::map<std::string, double>& u
 double FindPressureUnit(const Variable& variable)
 {
   return FindUnit(variable,
-    { { "", 1.0 }, { "hPa", 1.0 }, { "mbar", 1.0 }, { "mb", 1.0 }, { "millibar", 1.0 },
-      { "millibars", 1.0 }, { "Pa", 0.01 }, { "pascal", 0.01 }, { "Pascal", 0.01 } });
+    { { "hPa", 1.0 }, { "mbar", 1.0 }, { "mb", 1.0 }, { "millibar", 1.0 }, { "millibars", 1.0 },
+      { "Pa", 0.01 }, { "pascal", 0.01 } });
 }
 
 //------------------------------------------------------------------------------
@@ -76,22 +78,8 @@ double FindPressureUnit(const Variable& variable)
 double FindHeightUnit(const Variable& variable)
 {
   return FindUnit(variable,
-    { { "", 0.001 }, { "m", 0.001 }, { "gpm", 0.001 }, { "meter", 0.001 }, { "meters", 0.001 },
-      { "metre", 0.001 }, { "metres", 0.001 }, { "km", 1.0 } });
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> FindTimeSteps(vtkTrajectorySource& source)
-{
-  const Samples samples = source.ReadTimes();
-  auto* times = vtkDoubleArray::SafeDownCast(samples.GetValues());
-  const double* begin = times->GetPointer(0);
-  std::vector<double> steps;
-  std::copy_if(begin, begin + times->GetNumberOfValues(), std::back_inserter(steps),
-    [](double time) { return std::isfinite(time); });
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
+    { { "m", 0.001 }, { "gpm", 0.001 }, { "meter", 0.001 }, { "meters", 0.001 }, { "metre", 0.001 },
+      { "metres", 0.001 }, { "km", 1.0 } });
 }
 
 //------------------------------------------------------------------------------
@@ -128,8 +116,7 @@ void ExtractUntil(vtkPolyData* lines, double time, vtkPolyData* output)
   positions->SetDataType(lines->GetPoints()->GetDataType());
   positions->SetNumberOfPoints(points->GetNumberOfIds());
   lines->GetPoints()->GetPoints(points, positions);
-  output->SetPoints(positions);
-  output->SetLines(vtkGeographicLines::MakePolylines(offsets));
+  vtkTrajectoryLines::SetGeometry(output, positions, offsets);
   output->GetPointData()->CopyAllocate(lines->GetPointData(), points->GetNumberOfIds());
   output->GetPointData()->CopyData(lines->GetPointData(), points);
   output->GetCellData()->CopyAllocate(lines->GetCellData(), cells->GetNumberOfIds());
@@ -151,17 +138,20 @@ void vtkGeographicTrajectoryReader::ReadInformation(
   const std::string& fileName, vtkInformation* outInfo)
 {
   this->NumberOfEnsembleMembers = 0;
+  this->OpenSource = nullptr;
   outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
 
-  const auto source = this->Open(fileName);
+  auto source = this->Open(fileName);
   this->NumberOfEnsembleMembers = source->GetNumberOfMembers();
   if (this->EnsembleMember >= this->NumberOfEnsembleMembers)
   {
     throw vtkTrajectoryFileError("EnsembleMember is " + std::to_string(this->EnsembleMember) +
       ", but the file has members 0 to " + std::to_string(this->NumberOfEnsembleMembers - 1));
   }
-  const std::vector<double> steps = FindTimeSteps(*source);
+  const Samples times = source->ReadTimes();
+  const std::vector<double> steps =
+    vtkTrajectorySource::FindTimeSteps(vtkDoubleArray::SafeDownCast(times.GetValues()));
   if (!steps.empty())
   {
     const double range[2] = { steps.front(), steps.back() };
@@ -169,16 +159,24 @@ void vtkGeographicTrajectoryReader::ReadInformation(
       vtkStreamingDemandDrivenPipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
     outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
+  if (!this->CheckAbort())
+  {
+    this->OpenSource = std::move(source);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkGeographicTrajectoryReader::ReadTrajectories(
   const std::string& fileName, vtkInformation* outInfo, vtkPolyData* output)
 {
+  auto source = std::move(this->OpenSource);
   if (this->ReadTime < this->GetMTime())
   {
     this->AllTimes->Initialize();
-    const auto source = this->Open(fileName);
+    if (!source)
+    {
+      source = this->Open(fileName);
+    }
     if (!this->ReadAllTimes(*source, this->AllTimes))
     {
       return;
@@ -251,8 +249,9 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   if (lines.GetNumberOfInvalidSamples() > 0)
   {
     vtkWarningMacro(<< this->GetFileName() << ": " << lines.GetNumberOfInvalidSamples()
-                    << " positions have a pressure of 0 or less, or a latitude beyond the poles; "
-                       "they are taken as gaps.");
+                    << " positions have a pressure of 0 or less, a latitude beyond the poles, a "
+                       "longitude beyond 36000 degrees, or a height beyond the floats; they are "
+                       "taken as gaps.");
   }
   if (lines.GetNumberOfLines() == 0)
   {
@@ -261,7 +260,7 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   }
   lines.MakeGeometry(output);
 
-  const double start = this->GetProgress();
+  const double start = this->GetOpeningShare();
   for (std::size_t i = 0; i < variables.size() && !this->CheckAbort(); ++i)
   {
     const Samples samples = i == vtkTrajectorySource::Longitude ? coordinates.Longitude
@@ -284,6 +283,10 @@ bool vtkGeographicTrajectoryReader::ReadAllTimes(vtkTrajectorySource& source, vt
   }
   Add(output->GetPointData(), lines.MakePointArray(source.ReadTimes()), TimeName,
     source.GetTimeUnits());
+  if (!source.GetTimeWarning().empty())
+  {
+    vtkWarningMacro(<< this->GetFileName() << ": " << source.GetTimeWarning() << ".");
+  }
   return !this->CheckAbort();
 }
 

@@ -18,9 +18,10 @@
  *
  * Gaps: positions of which longitude, latitude or the vertical coordinate is missing, NaN or
  * infinite are left out and split the trajectory into several lines; so do, with a warning that
- * counts them, positions with a pressure of 0 or less or a latitude beyond the poles. No line leads
- * through a gap. A single position between two gaps is a polyline of one point. A trajectory
- * without any position has no line.
+ * counts them, positions with a pressure of 0 or less, a latitude beyond the poles, a longitude
+ * beyond +- 36000 degrees, or a z beyond single precision. No line leads through a gap. A single
+ * position between two gaps is a polyline of one point. A trajectory without any position has no
+ * line.
  *
  * Missing is what equals _FillValue or else the default fill value of its type, or missing_value;
  * LAGRANTO's -999.99.
@@ -29,8 +30,10 @@
  * tells the members); no pressure and no height; no such HeightArray; a unit of pressure or height
  * that is not known (the messages tell what there is).
  *
- * Memory: the output and three to four variables. The lines are kept until the reader changes, so
- * that another time does not cost another reading. Progress is reported after each variable.
+ * The file that UpdateInformation() has opened stays open for the next Update(), and is closed
+ * after it. The lines are kept until the reader changes, so that another time does not cost another
+ * reading. Memory: the output and three to four variables. Progress is reported after each
+ * variable.
  *
  * @sa vtkMet3DReader vtkLagrantoNetCDFReader vtkLagrantoReader
  */
@@ -78,7 +81,7 @@ public:
    *
    * Pressure is the variable of standard name air_pressure or else named pressure, p, P,
    * air_pressure or plev, in Pa or hPa (mbar) as its attribute `units` says, in hPa
-   * where it says nothing.
+   * where it says nothing. Units are known in small and capital letters.
    */
   vtkSetClampMacro(VerticalAxis, int, LOG_PRESSURE, HEIGHT);
   vtkGetMacro(VerticalAxis, int);
@@ -144,6 +147,10 @@ public:
    * Which positions the output has. Default is ALL_TIMES. UNTIL_REQUESTED leaves those of "time"
    * greater than, or not comparable with, the pipeline's UPDATE_TIME_STEP out; all are there where
    * it requests no time. The pipeline's TIME_STEPS are the different times in the file.
+   *
+   * ALL_TIMES gives the same lines at every time. Yet the pipeline, which knows only that there are
+   * time steps, executes all filters after the reader again at every step of an animation: take
+   * their output once where they are slow.
    */
   vtkSetClampMacro(TimeSelection, int, ALL_TIMES, UNTIL_REQUESTED);
   vtkGetMacro(TimeSelection, int);
@@ -162,6 +169,9 @@ protected:
   /** Open a file of the reader's format, see vtkTrajectorySource (Private/). Throws. */
   virtual std::unique_ptr<vtkTrajectorySource> Open(const std::string& fileName) = 0;
 
+  /** The part of the time of an update that Open() takes, and reports as progress. Default: 0. */
+  virtual double GetOpeningShare() const { return 0.0; }
+
 private:
   vtkGeographicTrajectoryReader(const vtkGeographicTrajectoryReader&) = delete;
   void operator=(const vtkGeographicTrajectoryReader&) = delete;
@@ -172,6 +182,7 @@ private:
   // Whether it was not aborted.
   bool ReadAllTimes(vtkTrajectorySource& source, vtkPolyData* output);
 
+  std::unique_ptr<vtkTrajectorySource> OpenSource; // from information to data, then null
   int EnsembleMember = 0;
   int NumberOfEnsembleMembers = 0;
   int VerticalAxis = LOG_PRESSURE;

@@ -9,10 +9,11 @@
  * dimensions are read.
  *
  * A time variable without a unit is in hh.mm, as LAGRANTO writes it: the fraction is minutes, and
- * "time" has hours in decimals, negative in backward trajectories. (Fractions of 60 minutes or more
- * show that the times are in decimals already.) Its unit is "hours since" the reference date in the
- * attributes ref_year, ref_month, ref_day, ref_hour and ref_min. Longitude and latitude without a
- * unit are in degrees, p in hPa and z in m. The value -999.99 is missing.
+ * "time" has hours in decimals, negative in backward trajectories. Times whose fractions would be
+ * 60 minutes or more, or whose steps are more even in decimals (0, 0.5, 1), are in decimals
+ * already, with a warning. The unit of "time" is "hours since" the reference date in the attributes
+ * ref_year, ref_month, ref_day, ref_hour and ref_min. Longitude and latitude without a unit are in
+ * degrees, p in hPa and z in m. The value -999.99 is missing.
  *
  * Source: M. Sprenger, H. Wernli, "The LAGRANTO Lagrangian analysis tool - version 2.0",
  * Geoscientific Model Development 8, 2015.

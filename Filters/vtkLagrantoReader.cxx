@@ -18,9 +18,6 @@ namespace
 // In bytes. LAGRANTO writes up to 1100.
 constexpr std::size_t GreatestHeader = 65536;
 
-// Of the time of an update.
-constexpr double ParsingShare = 0.9;
-
 //------------------------------------------------------------------------------
 std::string ReadBeginning(const std::string& fileName, std::size_t length)
 {
@@ -48,7 +45,7 @@ std::unique_ptr<vtkTrajectorySource> vtkLagrantoReader::Open(const std::string& 
   return std::make_unique<vtkLagrantoText>(text,
     [this](double progress)
     {
-      this->UpdateProgress(ParsingShare * progress);
+      this->UpdateProgress(this->GetOpeningShare() * progress);
       return !this->CheckAbort();
     });
 }

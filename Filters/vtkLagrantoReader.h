@@ -11,9 +11,10 @@
  * so on.
  *
  * After "Reference date YYYYMMDD_HHMM / Time range N min", times are in hh.mm: the fraction is
- * minutes, and "time" has hours in decimals, negative in backward trajectories. (Fractions of 60
- * minutes or more show that the times are in decimals already.) After "time period YYYYMMDD HH
- * UTC", in older files, they are in decimals. The unit of "time" is "hours since" that date.
+ * minutes, and "time" has hours in decimals, negative in backward trajectories. Times whose
+ * fractions would be 60 minutes or more, or whose steps are more even in decimals (0, 0.5, 1), are
+ * in decimals already, with a warning. After "time period YYYYMMDD HH UTC", in older files, they
+ * are in decimals. The unit of "time" is "hours since" that date.
  * Longitude and latitude are in degrees, p in hPa and z in m; the text tells no other units.
  *
  * The value -999.99, NaN and numbers that did not fit their column (asterisks) are missing.
@@ -21,7 +22,8 @@
  * Errors: no such header; a row with more or fewer columns than names, a word that is not a number
  * (the message tells the line); no row at all; times of different numbers of rows.
  *
- * Memory: the text and 4 bytes for each number, besides the output.
+ * The text is read and parsed once, by UpdateInformation(). Memory: the text while it is parsed,
+ * and 4 bytes for each number until the update has ended, besides the output.
  *
  * Source: M. Sprenger, H. Wernli, "The LAGRANTO Lagrangian analysis tool - version 2.0",
  * Geoscientific Model Development 8, 2015.
@@ -51,6 +53,7 @@ protected:
   ~vtkLagrantoReader() override = default;
 
   std::unique_ptr<vtkTrajectorySource> Open(const std::string& fileName) override;
+  double GetOpeningShare() const override { return 0.9; }
 
 private:
   vtkLagrantoReader(const vtkLagrantoReader&) = delete;

@@ -249,7 +249,7 @@ void vtkMRtrixTracksReader::ReadTrajectories(
     vtkWarningMacro(<< fileName << ": " << file.GetRemaining()
                     << " bytes behind the end of the lines are ignored.");
   }
-  vtkTractogram::SetLines(output,
+  vtkTractogram(output,
     header.IsDouble ? static_cast<vtkDataArray*>(doubles) : static_cast<vtkDataArray*>(floats),
     offsets);
 }

@@ -3,6 +3,7 @@
 
 #include "vtkTRXReader.h"
 
+#include "Private/vtkArrayNames.h"
 #include "Private/vtkTRXArchive.h"
 #include "Private/vtkTRXArray.h"
 #include "Private/vtkTractogram.h"
@@ -10,14 +11,13 @@
 
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <nlohmann/json.hpp>
 
@@ -125,14 +125,11 @@ Header ReadHeader(std::uint64_t size, const vtkTRXArchive::Source& source)
 Header FindHeader(const vtkTRXArchive& archive)
 {
   Header header;
-  archive.Visit(
-    [&](const std::string& name, std::uint64_t size, const vtkTRXArchive::Source& source)
+  archive.VisitOne("header.json",
+    [&](const std::string&, std::uint64_t size, const vtkTRXArchive::Source& source)
     {
-      if (name == "header.json")
-      {
-        header = ReadHeader(size, source);
-      }
-      return !header.IsFound;
+      header = ReadHeader(size, source);
+      return false;
     });
   if (!header.IsFound)
   {
@@ -146,13 +143,17 @@ Header FindHeader(const vtkTRXArchive& archive)
 Contents FindContents(const vtkTRXArchive& archive)
 {
   Contents contents;
+  std::size_t arrays = 0;
   archive.Visit(
     [&](const std::string& name, std::uint64_t size, const vtkTRXArchive::Source&)
     {
-      if (!contents.emplace(name, vtkTRXArray(name, size)).second)
+      const auto [item, isNew] = contents.emplace(name, vtkTRXArray(name, size));
+      if (!isNew)
       {
         throw vtkTrajectoryFileError("expected \"" + name + "\" in it once, found it twice");
       }
+      arrays += item->second.IsArray();
+      vtkArrayNames::RequireNumber(arrays);
       return true;
     });
   return contents;
@@ -207,17 +208,19 @@ void RequireSizes(const Contents& contents, const Header& header)
 Arrays ReadArrays(
   vtkAlgorithm* reader, const vtkTRXArchive& archive, const Contents& contents, bool readGroups)
 {
-  const auto isRead = [&](vtkTRXArray::Roles role)
-  {
-    return role != vtkTRXArray::NOTE && role != vtkTRXArray::UNKNOWN &&
-      (role != vtkTRXArray::GROUP || readGroups);
-  };
+  const auto isRead = [&](const vtkTRXArray& array)
+  { return array.IsArray() && (array.GetRole() != vtkTRXArray::GROUP || readGroups); };
   Arrays arrays;
   std::size_t visited = 0;
   archive.Visit(
     [&](const std::string& name, std::uint64_t size, const vtkTRXArchive::Source& source)
     {
-      const vtkTRXArray& array = contents.at(name);
+      const auto item = contents.find(name);
+      if (item == contents.end())
+      {
+        throw vtkTrajectoryFileError("\"" + name + "\" in it was not there when reading began");
+      }
+      const vtkTRXArray& array = item->second;
       const double begin = static_cast<double>(visited++);
       const auto read = [&](char* bytes, std::uint64_t count)
       {
@@ -233,7 +236,7 @@ Arrays ReadArrays(
         }
         return true;
       };
-      if (isRead(array.GetRole()))
+      if (isRead(array))
       {
         const auto values = array.Read(read);
         if (!values)
@@ -265,8 +268,8 @@ std::vector<vtkIdType> GetOffsets(vtkDataArray* array, const Header& header)
       (isLast && offset != largest))
     {
       throw vtkTrajectoryFileError("expected offsets from 0 to " + std::to_string(end) +
-        " that do not decrease, found " + std::to_string(static_cast<std::uint64_t>(offset)) +
-        " at number " + std::to_string(i));
+        " that do not decrease, found " + array->GetVariantValue(i).ToString() + " at number " +
+        std::to_string(i));
     }
     offsets[i] = static_cast<vtkIdType>(offset);
   }
@@ -301,7 +304,7 @@ vtkSmartPointer<vtkDataArray> MakeGroup(vtkDataArray* ids, vtkIdType lines)
 }
 
 //------------------------------------------------------------------------------
-void AddTuple(vtkFieldData* data, const char* name, const std::vector<double>& values)
+void AddTuple(vtkTractogram& tractogram, const char* name, const std::vector<double>& values)
 {
   if (!values.empty())
   {
@@ -309,7 +312,7 @@ void AddTuple(vtkFieldData* data, const char* name, const std::vector<double>& v
     array->SetName(name);
     array->SetNumberOfComponents(static_cast<int>(values.size()));
     array->InsertNextTypedTuple(values.data());
-    vtkTractogram::AddArray(data, array);
+    tractogram.AddFieldArray(array);
   }
 }
 }
@@ -361,31 +364,30 @@ void vtkTRXReader::ReadTrajectories(
     coordinates = role == vtkTRXArray::POSITIONS ? item.second : coordinates;
     offsets = role == vtkTRXArray::OFFSETS ? item.second.Get() : offsets;
   }
-  vtkTractogram::SetLines(output, coordinates, GetOffsets(offsets, header));
+  vtkTractogram tractogram(output, coordinates, GetOffsets(offsets, header));
 
   for (const auto& item : arrays)
   {
     switch (contents.at(item.first).GetRole())
     {
       case vtkTRXArray::POINT_DATA:
-        vtkTractogram::AddArray(output->GetPointData(), item.second);
+        tractogram.AddPointArray(item.second);
         break;
       case vtkTRXArray::LINE_DATA:
-        vtkTractogram::AddLineArray(output, item.second);
+        tractogram.AddLineArray(item.second);
         break;
       case vtkTRXArray::GROUP:
-        vtkTractogram::AddLineArray(
-          output, MakeGroup(item.second, static_cast<vtkIdType>(header.Lines)));
+        tractogram.AddLineArray(MakeGroup(item.second, static_cast<vtkIdType>(header.Lines)));
         break;
       case vtkTRXArray::GROUP_DATA:
-        vtkTractogram::AddArray(output->GetFieldData(), item.second);
+        tractogram.AddFieldArray(item.second);
         break;
       default:
         break;
     }
   }
-  AddTuple(output->GetFieldData(), "DIMENSIONS", header.Dimensions);
-  AddTuple(output->GetFieldData(), "VOXEL_TO_RASMM", header.VoxelToWorld);
+  AddTuple(tractogram, "DIMENSIONS", header.Dimensions);
+  AddTuple(tractogram, "VOXEL_TO_RASMM", header.VoxelToWorld);
 }
 
 VTK_ABI_NAMESPACE_END

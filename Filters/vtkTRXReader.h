@@ -23,10 +23,10 @@
  * Errors: no header.json, or one without NB_STREAMLINES and NB_VERTICES; arrays that are missing,
  * have another size than the header tells, or a type that their place does not allow; offsets that
  * do not begin at 0, decrease, or go beyond the points; ids of lines that do not exist; coordinates
- * that are not finite; an archive that is cut off, declares more than it can hold, is encrypted or
- * otherwise compressed, or whose checksums differ. Warnings: files that are not of the format are
- * not read; groups are not read if, together, they would take more than 16 bytes for each byte of
- * the file.
+ * that are not finite; more than 4096 arrays; an archive that is cut off, declares more than it can
+ * hold, is encrypted or otherwise compressed, or whose checksums differ. Warnings: files that are
+ * not of the format are not read; groups are not read if, together, they would take more than 16
+ * bytes for each byte of the file.
  *
  * Source: TRX file format specification (tee-ar-ex/trx-spec). Memory: the output, and float16
  * twice.

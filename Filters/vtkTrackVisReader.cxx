@@ -11,7 +11,6 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -151,14 +150,14 @@ void vtkTrackVisReader::ReadTrajectories(
     properties.SetTuple(line, lineRow.data());
   }
 
-  vtkTractogram::SetLines(output, coordinates, offsets);
+  vtkTractogram tractogram(output, coordinates, offsets);
   for (vtkFloatArray* array : scalars.GetArrays())
   {
-    vtkTractogram::AddArray(output->GetPointData(), array);
+    tractogram.AddPointArray(array);
   }
   for (vtkFloatArray* array : properties.GetArrays())
   {
-    vtkTractogram::AddLineArray(output, array);
+    tractogram.AddLineArray(array);
   }
 }
 

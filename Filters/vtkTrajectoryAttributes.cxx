@@ -5,9 +5,11 @@
 
 #include "Private/vtkBatches.h"
 #include "Private/vtkFieldVectors.h"
+#include "Private/vtkFillOutput.h"
 #include "Private/vtkPolylineAttributes.h"
 #include "Private/vtkPolylineRanges.h"
 #include "Private/vtkPolylines.h"
+#include "Private/vtkTrajectoryParts.h"
 #include "Private/vtkUnsharedPoints.h"
 
 #include "vtkCellData.h"
@@ -20,6 +22,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -155,9 +158,10 @@ const char* GetUnit(vtkDataArray* array)
 //------------------------------------------------------------------------------
 struct vtkTrajectoryAttributes::Arrays
 {
-  vtkDataArray* Pressure;
-  vtkDataArray* Height; // null: the coordinate along UpAxis
-  vtkDataArray* Time;
+  // An attribute of the same name takes their place in the output while they are needed.
+  vtkSmartPointer<vtkDataArray> Pressure;
+  vtkSmartPointer<vtkDataArray> Height; // null: the coordinate along UpAxis
+  vtkSmartPointer<vtkDataArray> Time;
   bool IsComputed[NUMBER_OF_ATTRIBUTES];
 
   const char* GetUnitOf(int attribute) const
@@ -265,23 +269,14 @@ int vtkTrajectoryAttributes::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  try
-  {
-    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES));
-    const Arrays arrays = this->FindArrays(output);
-    // After an abort the executive empties the output.
-    if (this->ComputeOfPoints(arrays, output))
+  return vtkFillOutput(this, output,
+    [&]
     {
-      this->ComputeTotalPressureDifference(arrays, output);
-    }
-    return 1;
-  }
-  catch (const std::logic_error& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES, this));
+      const Arrays arrays = this->FindArrays(output);
+      return this->ComputeOfPoints(arrays, output) &&
+        this->ComputeTotalPressureDifference(arrays, output);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -392,12 +387,12 @@ bool vtkTrajectoryAttributes::ComputeOfPoints(const Arrays& arrays, vtkPolyData*
 }
 
 //------------------------------------------------------------------------------
-void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
+bool vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   const Arrays& arrays, vtkPolyData* output)
 {
   if (!arrays.IsComputed[TOTAL_PRESSURE_DIFFERENCE])
   {
-    return;
+    return true;
   }
   const auto result = MakeArray(TOTAL_PRESSURE_DIFFERENCE, output->GetNumberOfCells(),
     arrays.GetUnitOf(TOTAL_PRESSURE_DIFFERENCE));
@@ -405,14 +400,15 @@ void vtkTrajectoryAttributes::ComputeTotalPressureDifference(
   output->GetCellData()->AddArray(result);
 
   const vtkPolylines lines(output->GetLines());
-  const vtkPolylineRanges ranges(
-    lines, arrays.Pressure, this->TimeWindow > 0.0 ? arrays.Time : nullptr, this->TimeWindow);
+  const std::vector<vtkIdType> firstLines = vtkFindTrajectories(output);
+  const vtkPolylineRanges ranges(lines, firstLines, arrays.Pressure,
+    this->TimeWindow > 0.0 ? arrays.Time : nullptr, this->TimeWindow);
   // The cells of a poly data are numbered from the vertices on, then the lines.
   float* ofLines = result->GetPointer(0) + output->GetNumberOfVerts();
   const vtkIdType minimumBatch = 1024;
-  vtkBatches(this, PointsProgress, 1.0)
+  return vtkBatches(this, PointsProgress, 1.0)
     .ParallelFor(
-      lines.GetNumberOfLines(),
+      static_cast<vtkIdType>(firstLines.size()) - 1,
       [&](vtkIdType first, vtkIdType last) { ranges.Compute(first, last, ofLines); }, minimumBatch);
 }
 

@@ -9,8 +9,8 @@
  * of Lagrangian Particle Trajectories in Met.3D", 2016, section 3.1:
  *
  * - "TotalPressureDifference", cell data, in the unit of the pressure: greatest minus least
- * pressure of the line, or with a TimeWindow of any two of its points at most that far apart in
- * time;
+ *   pressure of the trajectory, or with a TimeWindow of any two of its points at most that far
+ *   apart in time;
  * - "SegmentPressureDifference", point data, in the unit of the pressure: pressure at the start
  *   minus pressure at the end of the segment; positive where it rises;
  * - "SegmentHeightDifference", point data, in the unit of the height: height at the end minus
@@ -23,6 +23,18 @@
  * - "Velocity", point data, length / time: the segment's length divided by its time step;
  * - "AngleOfAscent", point data, degree, -90 to 90: between the segment and the plane normal to
  *   UpAxis, positive upwards. Always of the coordinates, also where a height array is chosen.
+ *
+ * Readers divide a trajectory at gaps and at the edges of a map, and write which one a line is part
+ * of: successive lines with the same "TrajectoryId" in the cell data count as one trajectory, of
+ * which "TotalPressureDifference" has one value for all of them. Without that array, of one
+ * component, each line is a trajectory. The attributes of points are those of the line.
+ *
+ * Lengths are those of the coordinates. On a map, the output of vtkGeographicTrajectoryReader, x
+ * and y are degrees and z is what its VerticalScale makes of the height: there "SegmentLength",
+ * "Velocity", "Curvature" and "AngleOfAscent", and "SegmentHeightDifference" without a HeightArray,
+ * are in units of the map, change with that scale and with latitude, and are no physical
+ * quantities. Pressure differences, and heights from a HeightArray such as "geopotential_height",
+ * are.
  *
  * A value of a segment is stored at the point where the segment begins; the last point of a line
  * repeats that of the last segment. Cells that are not lines, and points that belong to no line,
@@ -38,17 +50,18 @@
  * Missing values: where a coordinate, pressure, height or time is NaN or infinite, the attributes
  * that need it are NaN at the point and, for those of segments, at the point before. Turning angle
  * and curvature take a point without position for an end of the line; "TotalPressureDifference"
- * leaves missing pressures out, and is NaN only for a line without any.
+ * leaves missing pressures out, and is NaN only for a trajectory without any.
  *
  * Points that lines share, or that a line uses twice such as a closed one, cannot hold the values
  * of both: then the output has a copy, with all point data, for each use but the first, after the
- * points of the input; else the geometry is passed by reference.
+ * points of the input, without the point arrays that are too short to be copied, of which a
+ * warning tells; else the geometry is passed by reference.
  *
  * Cost: one parallel pass over the points and one over the lines, all together in about twice the
- * time that a copy of the arrays takes (Testing/Benchmark/attributes.py). A line whose times are
- * not in order is sorted for a TimeWindow. Same bits with any number of threads. Errors: an array
- * that is named or needed and does not exist, a cell with a point that does not exist. Nothing is
- * then computed.
+ * time that a copy of the arrays takes (Testing/Benchmark/attributes.py). A trajectory whose
+ * times are not in order is sorted for a TimeWindow. Same bits with any number of threads. Errors:
+ * an array that is named or needed and does not exist, a cell with a point that does not exist.
+ * Nothing is then computed.
  *
  * @sa vtkTrajectorySegments vtkTrajectoryReader
  */
@@ -164,7 +177,8 @@ public:
   /**
    * Greatest distance in time of the two points that TotalPressureDifference compares, in the unit
    * of the time array, which has to exist; up to a millionth more counts as equal. 0, the default,
-   * is the whole line. Warm conveyor belts are found with 48 hours (Bandle 2016, section 3.1.1).
+   * is the whole trajectory. Warm conveyor belts are found with 48 hours (Bandle 2016,
+   * section 3.1.1).
    */
   vtkSetClampMacro(TimeWindow, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeWindow, double);
@@ -185,7 +199,7 @@ private:
   Arrays FindArrays(vtkPolyData* input) const;
   bool IsComputed(int attribute, const Arrays& arrays, vtkPolyData* input) const;
   bool ComputeOfPoints(const Arrays& arrays, vtkPolyData* output);
-  void ComputeTotalPressureDifference(const Arrays& arrays, vtkPolyData* output);
+  bool ComputeTotalPressureDifference(const Arrays& arrays, vtkPolyData* output);
 
   std::array<int, NUMBER_OF_ATTRIBUTES> Statuses;
   std::string PressureArray;

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <exception>
 #include <new>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -43,6 +44,8 @@ template <typename Function>
 bool vtkTrajectoryReader::Attempt(Function&& read)
 {
   const std::string fileName = this->FileName ? this->FileName : "";
+  std::string message;
+  unsigned long code = vtkErrorCode::UnknownError;
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
@@ -70,14 +73,19 @@ bool vtkTrajectoryReader::Attempt(Function&& read)
   }
   catch (const vtkTrajectoryFileError& error)
   {
-    this->SetErrorCode(error.GetCode());
-    vtkErrorMacro(<< (fileName.empty() ? "" : fileName + ": ") << error.what());
+    message = error.what();
+    code = error.GetCode();
   }
   catch (const std::bad_alloc&)
   {
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< fileName << ": its lines do not fit into memory");
+    message = "its lines do not fit into memory; free some, or split the file";
   }
+  catch (const std::exception& error)
+  {
+    message = std::string("cannot be read: ") + error.what();
+  }
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< (fileName.empty() ? "" : fileName + ": ") << message);
   return false;
 }
 

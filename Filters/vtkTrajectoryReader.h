@@ -66,7 +66,7 @@ protected:
 
   /**
    * Fill `output`. Throws vtkTrajectoryFileError (Private/), whose message does not repeat the
-   * file's name, or std::bad_alloc.
+   * file's name; any other std::exception becomes an error of the file too.
    */
   virtual void ReadTrajectories(
     const std::string& fileName, vtkInformation* outInfo, vtkPolyData* output) = 0;

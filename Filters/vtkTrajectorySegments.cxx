@@ -5,6 +5,8 @@
 
 #include "Private/vtkArrayValues.h"
 #include "Private/vtkBatches.h"
+#include "Private/vtkFillOutput.h"
+#include "Private/vtkLeafCopies.h"
 #include "Private/vtkPolylines.h"
 #include "Private/vtkUnsharedPoints.h"
 
@@ -12,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -24,6 +27,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -131,13 +135,8 @@ double CountSegments(double length, double target)
 
 //------------------------------------------------------------------------------
 // Throws if there were more segments than an int can number, which is what a shader has.
-void CheckTotal(const std::vector<double>& lengths, double target, vtkIdType verticesTotal)
+void CheckTotal(double total, double target)
 {
-  auto total = static_cast<double>(verticesTotal);
-  for (const double length : lengths)
-  {
-    total += CountSegments(length, target);
-  }
   if (total > VTK_INT_MAX)
   {
     std::ostringstream message;
@@ -149,53 +148,118 @@ void CheckTotal(const std::vector<double>& lengths, double target, vtkIdType ver
 }
 
 //------------------------------------------------------------------------------
-int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+struct vtkTrajectorySegments::Leaf
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->TotalNumberOfSegments = 0;
-  try
+  vtkPolyData* Data; // of the output
+  std::vector<double> Lengths;
+
+  double GetLength() const
   {
-    output->ShallowCopy(vtkUnsharedPoints::Make(input, vtkUnsharedPoints::LINES_AND_VERTICES));
-    std::vector<double> lengths(output->GetNumberOfLines());
-    // After an abort the executive empties the output.
-    if (this->MeasureLines(output, lengths))
-    {
-      this->NumberSegments(lengths, output);
-      this->PlacePoints(lengths, output);
-    }
-    return 1;
+    return std::accumulate(this->Lengths.begin(), this->Lengths.end(), 0.0);
   }
-  catch (const std::logic_error& error)
+
+  // In double precision, which has no overflow.
+  double GetNumberOfSegments(double target) const
   {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
+    const auto ofVertices =
+      static_cast<double>(this->Data->GetVerts()->GetNumberOfConnectivityIds());
+    return std::accumulate(this->Lengths.begin(), this->Lengths.end(), ofVertices,
+      [target](double total, double length) { return total + CountSegments(length, target); });
   }
+};
+
+//------------------------------------------------------------------------------
+int vtkTrajectorySegments::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
-bool vtkTrajectorySegments::MeasureLines(vtkPolyData* output, std::vector<double>& lengths)
+int vtkTrajectorySegments::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkPolylines lines(output->GetLines());
-  const vtkArrayValues coordinates(GetCoordinates(output));
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  this->TotalNumberOfSegments = 0;
+  return vtkFillOutput(
+    this, output, [&] { return this->Divide(vtkDataObject::GetData(inputVector[0]), output); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectorySegments::Divide(vtkDataObject* input, vtkDataObject* output)
+{
+  std::vector<Leaf> leaves;
+  for (const auto& [source, copy] : vtkCopyLeaves(input, output))
+  {
+    if (auto* lines = vtkPolyData::SafeDownCast(source))
+    {
+      copy->ShallowCopy(
+        vtkUnsharedPoints::Make(lines, vtkUnsharedPoints::LINES_AND_VERTICES, this));
+      leaves.push_back({ vtkPolyData::SafeDownCast(copy), {} });
+    }
+  }
+  const auto forEachLeaf = [&](const vtkBatches& batches, auto&& work)
+  {
+    const double fraction = 1.0 / static_cast<double>(leaves.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      const auto done = static_cast<double>(i);
+      if (!work(batches.GetPart(done * fraction, (done + 1.0) * fraction), leaves[i]))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+
+  if (!forEachLeaf(vtkBatches(this, 0.0, MeasureProgress), MeasureLines))
+  {
+    return false;
+  }
+  double length = 0.0;
+  for (const Leaf& leaf : leaves)
+  {
+    length += leaf.GetLength();
+  }
+  const double target = this->SegmentLength > 0.0
+    ? this->SegmentLength
+    : length / static_cast<double>(this->NumberOfSegments);
+  double total = 0.0;
+  for (const Leaf& leaf : leaves)
+  {
+    total += leaf.GetNumberOfSegments(target);
+  }
+  CheckTotal(total, target);
+  for (const Leaf& leaf : leaves)
+  {
+    this->TotalNumberOfSegments += NumberSegments(leaf, target);
+  }
+  return forEachLeaf(vtkBatches(this, MeasureProgress, 1.0), PlacePoints);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTrajectorySegments::MeasureLines(const vtkBatches& batches, Leaf& leaf)
+{
+  const vtkPolylines lines(leaf.Data->GetLines());
+  const vtkArrayValues coordinates(GetCoordinates(leaf.Data));
+  leaf.Lengths.resize(lines.GetNumberOfLines());
   const auto measure = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType line = first; line < last; ++line)
     {
       const double length = WalkLine(lines, coordinates, line, [](vtkIdType, double) {});
-      lengths[line] = std::isnan(length) ? 0.0 : length;
+      leaf.Lengths[line] = std::isnan(length) ? 0.0 : length;
     }
   };
-  return vtkBatches(this, 0.0, MeasureProgress)
-    .ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
+  return batches.ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
 }
 
 //------------------------------------------------------------------------------
-void vtkTrajectorySegments::NumberSegments(const std::vector<double>& lengths, vtkPolyData* output)
+vtkIdType vtkTrajectorySegments::NumberSegments(const Leaf& leaf, double target)
 {
-  const vtkIdType cellCount = output->GetNumberOfCells();
+  const vtkIdType cellCount = leaf.Data->GetNumberOfCells();
   const auto firsts = MakeArray<vtkIdTypeArray>("FirstSegment", cellCount, -1);
   const auto counts = MakeArray<vtkIdTypeArray>("NumberOfSegments", cellCount, 0);
   // The cells of a poly data are numbered from the vertices on, then the lines.
@@ -208,50 +272,46 @@ void vtkTrajectorySegments::NumberSegments(const std::vector<double>& lengths, v
     total += count;
     ++cell;
   };
-  const vtkPolylines vertices(output->GetVerts());
+  const vtkPolylines vertices(leaf.Data->GetVerts());
   for (vtkIdType i = 0; i < vertices.GetNumberOfLines(); ++i)
   {
     number(vertices.GetEnd(i) - vertices.GetBegin(i));
   }
-  const double lengthOfAll = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  const double target = this->SegmentLength > 0.0
-    ? this->SegmentLength
-    : lengthOfAll / static_cast<double>(this->NumberOfSegments);
-  CheckTotal(lengths, target, total);
-  const vtkPolylines lines(output->GetLines());
+  const vtkPolylines lines(leaf.Data->GetLines());
   for (vtkIdType line = 0; line < lines.GetNumberOfLines(); ++line)
   {
     const bool hasPoints = lines.GetBegin(line) < lines.GetEnd(line);
-    number(hasPoints ? static_cast<vtkIdType>(CountSegments(lengths[line], target)) : 0);
+    number(hasPoints ? static_cast<vtkIdType>(CountSegments(leaf.Lengths[line], target)) : 0);
   }
 
   const auto totals = MakeArray<vtkIdTypeArray>("TotalNumberOfSegments", 1, total);
-  output->GetCellData()->AddArray(firsts);
-  output->GetCellData()->AddArray(counts);
-  output->GetFieldData()->AddArray(totals);
-  this->TotalNumberOfSegments = total;
+  leaf.Data->GetCellData()->AddArray(firsts);
+  leaf.Data->GetCellData()->AddArray(counts);
+  leaf.Data->GetFieldData()->AddArray(totals);
+  return total;
 }
 
 //------------------------------------------------------------------------------
-void vtkTrajectorySegments::PlacePoints(const std::vector<double>& lengths, vtkPolyData* output)
+bool vtkTrajectorySegments::PlacePoints(const vtkBatches& batches, const Leaf& leaf)
 {
   const auto bases =
-    MakeArray<vtkIdTypeArray>("SegmentBase", output->GetNumberOfPoints(), vtkIdType(-1));
-  const auto weights = MakeArray<vtkFloatArray>("SegmentWeight", output->GetNumberOfPoints(), 0.0F);
-  output->GetPointData()->AddArray(bases);
-  output->GetPointData()->AddArray(weights);
+    MakeArray<vtkIdTypeArray>("SegmentBase", leaf.Data->GetNumberOfPoints(), vtkIdType(-1));
+  const auto weights =
+    MakeArray<vtkFloatArray>("SegmentWeight", leaf.Data->GetNumberOfPoints(), 0.0F);
+  leaf.Data->GetPointData()->AddArray(bases);
+  leaf.Data->GetPointData()->AddArray(weights);
 
-  const vtkPolylines vertices(output->GetVerts());
+  const vtkPolylines vertices(leaf.Data->GetVerts());
   for (vtkIdType position = 0; position < vertices.GetNumberOfPositions(); ++position)
   {
     bases->SetValue(vertices.GetId(position), position);
   }
 
-  const vtkPolylines lines(output->GetLines());
-  const vtkArrayValues coordinates(GetCoordinates(output));
+  const vtkPolylines lines(leaf.Data->GetLines());
+  const vtkArrayValues coordinates(GetCoordinates(leaf.Data));
   const vtkIdType firstCell = vertices.GetNumberOfLines();
-  const vtkIdType* firsts = GetIds(output->GetCellData(), "FirstSegment") + firstCell;
-  const vtkIdType* counts = GetIds(output->GetCellData(), "NumberOfSegments") + firstCell;
+  const vtkIdType* firsts = GetIds(leaf.Data->GetCellData(), "FirstSegment") + firstCell;
+  const vtkIdType* counts = GetIds(leaf.Data->GetCellData(), "NumberOfSegments") + firstCell;
   const auto place = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType line = first; line < last; ++line)
@@ -259,13 +319,13 @@ void vtkTrajectorySegments::PlacePoints(const std::vector<double>& lengths, vtkP
       WalkLine(lines, coordinates, line,
         [&](vtkIdType id, double length)
         {
-          const SegmentPosition position(length, lengths[line], counts[line]);
+          const SegmentPosition position(length, leaf.Lengths[line], counts[line]);
           bases->SetValue(id, firsts[line] + position.Base);
           weights->SetValue(id, position.Weight);
         });
     }
   };
-  vtkBatches(this, MeasureProgress, 1.0).ParallelFor(lines.GetNumberOfLines(), place, MinimumBatch);
+  return batches.ParallelFor(lines.GetNumberOfLines(), place, MinimumBatch);
 }
 
 //------------------------------------------------------------------------------

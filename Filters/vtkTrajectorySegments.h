@@ -10,7 +10,8 @@
  * cell is a segment of its own. Segments are numbered from 0 in the order of the cells, vertices
  * before lines, and along each line.
  *
- * Input: vtkPolyData (or composite data of them, block by block). Output: the same with
+ * Input: vtkPolyData, or composite data, whose leaves of other classes pass. The target length is
+ * one for all leaves; the segments of each leaf are numbered from 0. Output: the same with
  *
  * - point data "SegmentBase", integers, and "SegmentWeight", single precision, in [0, 1): with
  *   values a[] of the segments, such as opacities, the value at the point is
@@ -24,16 +25,17 @@
  *   have -1 and 0;
  * - cell data "FirstSegment" and "NumberOfSegments", integers; -1 and 0 for surface cells, which
  *   are not divided here;
- * - field data "TotalNumberOfSegments", one integer.
+ * - field data "TotalNumberOfSegments", one integer, the number of segments of the leaf.
  *
  * A line of one point, without length or with a coordinate that is NaN or infinite is one segment.
  * Points that lines share, or that a line uses twice such as a closed one, belong to several
  * segments: then the output has a copy, with all point data, for each use but the first, after the
- * points of the input; else the geometry is passed by reference.
+ * points of the input, without the point arrays that are too short to be copied, of which a
+ * warning tells; else the geometry is passed by reference.
  *
  * Lengths are added up in double precision. Cost: two passes over the points, parallel over the
  * lines; same bits with any number of threads. Errors: a cell with a point that does not exist,
- * more than VTK_INT_MAX segments.
+ * more than VTK_INT_MAX segments of all leaves. An error or an abort leaves an empty output.
  *
  * @sa vtkTrajectoryAttributes
  */
@@ -41,18 +43,17 @@
 #ifndef vtkTrajectorySegments_h
 #define vtkTrajectorySegments_h
 
+#include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPellucidFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
-
-#include <vector> // for lengths
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkBatches;
 
-class VTKPELLUCIDFILTERS_EXPORT vtkTrajectorySegments : public vtkPolyDataAlgorithm
+class VTKPELLUCIDFILTERS_EXPORT vtkTrajectorySegments : public vtkPassInputTypeAlgorithm
 {
 public:
   static vtkTrajectorySegments* New();
-  vtkTypeMacro(vtkTrajectorySegments, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkTrajectorySegments, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -75,22 +76,26 @@ public:
   vtkGetMacro(SegmentLength, double);
   ///@}
 
-  /** How many segments the last update made, those of vertices included. */
+  /** How many segments the last update made in all leaves, those of vertices included. */
   vtkGetMacro(TotalNumberOfSegments, vtkIdType);
 
 protected:
   vtkTrajectorySegments() = default;
   ~vtkTrajectorySegments() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkTrajectorySegments(const vtkTrajectorySegments&) = delete;
   void operator=(const vtkTrajectorySegments&) = delete;
 
-  bool MeasureLines(vtkPolyData* output, std::vector<double>& lengths);
-  void NumberSegments(const std::vector<double>& lengths, vtkPolyData* output);
-  void PlacePoints(const std::vector<double>& lengths, vtkPolyData* output);
+  struct Leaf;
+
+  bool Divide(vtkDataObject* input, vtkDataObject* output);
+  static bool MeasureLines(const vtkBatches& batches, Leaf& leaf);
+  static vtkIdType NumberSegments(const Leaf& leaf, double target);
+  static bool PlacePoints(const vtkBatches& batches, const Leaf& leaf);
 
   vtkIdType NumberOfSegments = 20000;
   double SegmentLength = 0.0;

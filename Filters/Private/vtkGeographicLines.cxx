@@ -3,14 +3,13 @@
 
 #include "vtkGeographicLines.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
+#include "vtkTrajectoryLines.h"
+
 #include "vtkIdTypeArray.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,6 +19,9 @@ constexpr double Circle = 360.0;
 
 // Positions that are beyond a pole by no more than rounding are good.
 constexpr double GreatestLatitude = 90.001;
+
+// A hundred turns: numbers far beyond any longitude are damage, or missing values without a mark.
+constexpr double GreatestLongitude = 100.0 * Circle;
 
 constexpr double ReferencePressure = 1000.0; // hPa
 
@@ -69,19 +71,19 @@ vtkGeographicLines::vtkGeographicLines(const vtkTrajectorySource& source,
 //------------------------------------------------------------------------------
 bool vtkGeographicLines::IsValid(vtkIdType trajectory, vtkIdType sample)
 {
+  const double longitude = this->Source.Longitude.Get(trajectory, sample);
   const double latitude = this->Source.Latitude.Get(trajectory, sample);
   const double vertical = this->Source.Vertical.Get(trajectory, sample);
-  if (!std::isfinite(this->Source.Longitude.Get(trajectory, sample)) || !std::isfinite(latitude) ||
-    !std::isfinite(vertical))
+  if (!std::isfinite(longitude) || !std::isfinite(latitude) || !std::isfinite(vertical))
   {
     return false;
   }
-  if (std::abs(latitude) > GreatestLatitude || (this->Axis.LogPressure && vertical <= 0.0))
-  {
-    ++this->NumberOfInvalidSamples;
-    return false;
-  }
-  return true;
+  // The height of a pressure of 0 or less is not finite either.
+  const bool isValid = std::abs(longitude) <= GreatestLongitude &&
+    std::abs(latitude) <= GreatestLatitude &&
+    std::abs(this->Axis(vertical)) <= std::numeric_limits<float>::max();
+  this->NumberOfInvalidSamples += isValid ? 0 : 1;
+  return isValid;
 }
 
 //------------------------------------------------------------------------------
@@ -192,23 +194,10 @@ void vtkGeographicLines::ForEachPoint(Visitor&& visit) const
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> vtkGeographicLines::MakePolylines(vtkIdTypeArray* offsets)
-{
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(offsets->GetValue(offsets->GetNumberOfValues() - 1));
-  vtkIdType* first = connectivity->GetPointer(0);
-  std::iota(first, first + connectivity->GetNumberOfValues(), vtkIdType(0));
-  auto lines = vtkSmartPointer<vtkCellArray>::New();
-  lines->SetData(offsets, connectivity);
-  return lines;
-}
-
-//------------------------------------------------------------------------------
 void vtkGeographicLines::MakeGeometry(vtkPolyData* output) const
 {
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TrajectoryId");
   offsets->SetNumberOfValues(this->GetNumberOfLines() + 1);
   ids->SetNumberOfValues(this->GetNumberOfLines());
   for (vtkIdType line = 0; line < this->GetNumberOfLines(); ++line)
@@ -218,9 +207,7 @@ void vtkGeographicLines::MakeGeometry(vtkPolyData* output) const
   }
   offsets->SetValue(this->GetNumberOfLines(), this->Points->GetNumberOfPoints());
 
-  output->SetPoints(this->Points);
-  output->SetLines(MakePolylines(offsets));
-  output->GetCellData()->AddArray(ids);
+  vtkTrajectoryLines::SetLines(output, this->Points, offsets, ids);
 }
 
 //------------------------------------------------------------------------------

@@ -21,8 +21,6 @@
 #include <vector> // for the lines
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCellArray;
-class vtkIdTypeArray;
 class vtkPolyData;
 
 class vtkGeographicLines
@@ -56,13 +54,13 @@ public:
   vtkGeographicLines(const vtkTrajectorySource& source, const Coordinates& coordinates,
     const Map& map, const VerticalAxis& verticalAxis);
 
-  /** Samples that are no gap of the file, but have a pressure of 0 or less or lie beyond a pole. */
+  /**
+   * Samples that are no gap of the file, but have a pressure of 0 or less, a z that is no float, or
+   * lie beyond a pole or more than a hundred turns away.
+   */
   vtkIdType GetNumberOfInvalidSamples() const { return this->NumberOfInvalidSamples; }
 
   vtkIdType GetNumberOfLines() const { return static_cast<vtkIdType>(this->Lines.size()); }
-
-  /** Polylines over points in sequence: line i has those from offset i up to offset i + 1. */
-  static vtkSmartPointer<vtkCellArray> MakePolylines(vtkIdTypeArray* offsets);
 
   /** The points and lines, and "TrajectoryId" of each line. */
   void MakeGeometry(vtkPolyData* output) const;

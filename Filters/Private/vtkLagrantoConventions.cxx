@@ -3,9 +3,13 @@
 
 #include "vtkLagrantoConventions.h"
 
+#include "vtkTrajectorySource.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -16,6 +20,37 @@ namespace
 double GetMinutes(double time)
 {
   return std::round(100.0 * (time - std::trunc(time)));
+}
+
+//------------------------------------------------------------------------------
+double GetHours(double time)
+{
+  return std::trunc(time) + GetMinutes(time) / 60.0;
+}
+
+//------------------------------------------------------------------------------
+// How much the steps between times in sequence differ; 0: not at all.
+double GetUnevenness(const std::vector<double>& times)
+{
+  std::vector<double> steps(times.size());
+  std::adjacent_difference(times.begin(), times.end(), steps.begin());
+  const auto range =
+    std::minmax_element(steps.begin() + std::min<std::size_t>(1, steps.size()), steps.end());
+  return steps.size() < 2 ? 0.0 : *range.second - *range.first;
+}
+
+//------------------------------------------------------------------------------
+bool HaveMinutes(const std::vector<double>& times)
+{
+  if (std::any_of(
+        times.begin(), times.end(), [](double time) { return std::abs(GetMinutes(time)) >= 60.0; }))
+  {
+    return false;
+  }
+  constexpr double rounding = 0.005; // times have two digits after the point
+  std::vector<double> hours(times.size());
+  std::transform(times.begin(), times.end(), hours.begin(), GetHours);
+  return GetUnevenness(hours) <= GetUnevenness(times) + rounding;
 }
 }
 
@@ -51,15 +86,16 @@ std::string vtkLagrantoConventions::GetTimeUnits(
 }
 
 //------------------------------------------------------------------------------
-void vtkLagrantoConventions::ConvertToHours(double* times, std::size_t count)
+std::string vtkLagrantoConventions::ConvertToHours(vtkDoubleArray* times)
 {
-  if (std::any_of(
-        times, times + count, [](double time) { return std::abs(GetMinutes(time)) >= 60.0; }))
+  if (!HaveMinutes(vtkTrajectorySource::FindTimeSteps(times)))
   {
-    return;
+    return "the times are taken as hours in decimals, not as hh.mm (hours and minutes) as LAGRANTO "
+           "writes them: as hh.mm, they would have 60 minutes or more, or less even steps";
   }
-  std::transform(times, times + count, times,
-    [](double time) { return std::trunc(time) + GetMinutes(time) / 60.0; });
+  double* begin = times->GetPointer(0);
+  std::transform(begin, begin + times->GetNumberOfValues(), begin, GetHours);
+  return "";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -15,9 +15,9 @@
 #include "vtkABINamespace.h"
 
 #include <string> // for units
-#include <vector> // for times
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDoubleArray;
 
 struct vtkLagrantoConventions
 {
@@ -31,10 +31,11 @@ struct vtkLagrantoConventions
     double year, double month, double day, double hour, double minute);
 
   /**
-   * Turn times in hh.mm, whose fraction is minutes, into hours. Fractions of 60 minutes or more
-   * show that the times are in hours: nothing is changed.
+   * Turn times in hh.mm, whose fraction is minutes, into hours. Nothing is changed where the times
+   * are in decimals, as fractions of 60 minutes or more show, and steps that are more even so:
+   * returns a warning, else an empty text.
    */
-  static void ConvertToHours(double* times, std::size_t count);
+  static std::string ConvertToHours(vtkDoubleArray* times);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 
 #include "vtkLagrantoText.h"
 
+#include "vtkArrayNames.h"
 #include "vtkLagrantoConventions.h"
 #include "vtkTrajectoryFileError.h"
 
@@ -12,16 +13,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
+#include <locale>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-// LAGRANTO itself writes up to 104.
-constexpr std::size_t GreatestNumberOfColumns = 4096;
-
 constexpr std::string_view Blanks = " \t\r\v\f";
 
 //------------------------------------------------------------------------------
@@ -109,7 +107,7 @@ Header ReadHeader(LineReader& lines)
   }
   const auto begins = [&header](std::size_t column, const char* name)
   { return vtksys::SystemTools::LowerCase(header.Columns[column]).rfind(name, 0) == 0; };
-  if (header.Columns.size() < 4 || header.Columns.size() > GreatestNumberOfColumns ||
+  if (header.Columns.size() < 4 || header.Columns.size() > vtkArrayNames::GreatestNumber ||
     !begins(0, "time") || !begins(1, "lon") || !begins(2, "lat"))
   {
     header.Columns.clear();
@@ -153,6 +151,18 @@ struct Title
 };
 
 //------------------------------------------------------------------------------
+// A number beyond the range of doubles, which std::from_chars does not read. Closer to 0 than any
+// of them it is 0; too large, the largest of them.
+double ReadOutOfRange(std::string_view word)
+{
+  std::istringstream stream{ std::string(word) };
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> number;
+  return number;
+}
+
+//------------------------------------------------------------------------------
 // NaN for a missing value, also for the asterisks that Fortran writes where a number is too long.
 bool ReadNumber(std::string_view word, double& number)
 {
@@ -163,11 +173,15 @@ bool ReadNumber(std::string_view word, double& number)
   }
   word.remove_prefix(word[0] == '+' ? 1 : 0);
   const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (result.ec == std::errc::result_out_of_range)
+  {
+    number = ReadOutOfRange(word);
+  }
   if (number == vtkLagrantoConventions::MissingValue)
   {
     number = std::numeric_limits<double>::quiet_NaN();
   }
-  return result.ec == std::errc() && result.ptr == word.data() + word.size() &&
+  return result.ec != std::errc::invalid_argument && result.ptr == word.data() + word.size() &&
     (!std::isfinite(number) || std::abs(number) <= std::numeric_limits<float>::max());
 }
 }
@@ -191,17 +205,12 @@ vtkLagrantoText::vtkLagrantoText(std::string_view text, const Progress& progress
                                  "beginning with time lon lat, above a line of dashes",
       vtkErrorCode::UnrecognizedFileTypeError);
   }
-  std::set<std::string> names = { "time" };
-  std::map<std::string, int> repetitions;
+  vtkArrayNames names;
+  names.Take("time");
   for (std::size_t column = 1; column < header.Columns.size(); ++column)
   {
-    const std::string& name = header.Columns[column];
-    std::string unique = name;
-    while (!names.insert(unique).second)
-    {
-      unique = name + "_" + std::to_string(++repetitions[name] + 1);
-    }
-    this->Variables.push_back({ unique, "", vtkLagrantoConventions::GetUnits(unique), false });
+    const std::string name = names.Take(header.Columns[column]);
+    this->Variables.push_back({ name, "", vtkLagrantoConventions::GetUnits(name), false });
   }
   const Title title(header.Title);
   this->TimeUnits = title.TimeUnits;
@@ -240,8 +249,7 @@ vtkLagrantoText::vtkLagrantoText(std::string_view text, const Progress& progress
   this->FindOrder();
   if (title.HasMinutes)
   {
-    vtkLagrantoConventions::ConvertToHours(
-      this->Times->GetPointer(0), this->Times->GetNumberOfValues());
+    this->TimeWarning = vtkLagrantoConventions::ConvertToHours(this->Times);
   }
 }
 

@@ -82,6 +82,14 @@ Value Narrow(double value)
 }
 
 //------------------------------------------------------------------------------
+std::string Trim(const std::string& text)
+{
+  constexpr const char* blanks = " \t\r\n\v\f";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+//------------------------------------------------------------------------------
 double GetFirst(const std::vector<double>& numbers, double otherwise)
 {
   return numbers.empty() ? otherwise : numbers[0];
@@ -175,7 +183,7 @@ std::string vtkNetCDFFile::GetText(int variable, const char* attribute) const
     text = strings[0] ? strings[0] : "";
     nc_free_string(length, strings.data());
   }
-  return text;
+  return Trim(text);
 }
 
 //------------------------------------------------------------------------------

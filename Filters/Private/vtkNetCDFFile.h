@@ -49,7 +49,7 @@ public:
   /** "lon(time, id), p(time, id)": the variables; no more than 20. */
   std::string ListVariables() const;
 
-  /** Text of an attribute; empty where there is none. */
+  /** Text of an attribute without the blanks around it; empty where there is none. */
   std::string GetText(int variable, const char* attribute) const;
 
   /** Numbers of an attribute; none where there is none, or text. */

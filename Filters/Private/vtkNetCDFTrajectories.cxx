@@ -3,6 +3,7 @@
 
 #include "vtkNetCDFTrajectories.h"
 
+#include "vtkArrayNames.h"
 #include "vtkLagrantoConventions.h"
 #include "vtkTrajectoryFileError.h"
 
@@ -73,7 +74,7 @@ bool vtkNetCDFTrajectories::CanRead(const char* fileName, Layout layout)
     const vtkNetCDFTrajectories file(fileName, layout);
     return file.FindPressure() != None || file.FindHeight() != None;
   }
-  catch (const vtkTrajectoryFileError&)
+  catch (const std::exception&)
   {
     return false;
   }
@@ -195,6 +196,7 @@ void vtkNetCDFTrajectories::FindVariables()
       this->FileVariables.push_back(variable);
     }
   }
+  vtkArrayNames::RequireNumber(this->FileVariables.size());
   this->File.CheckSize(this->FileVariables);
   this->File.CheckSize({ *this->Time });
 
@@ -289,7 +291,7 @@ vtkTrajectorySource::Samples vtkNetCDFTrajectories::ReadTimes()
   times->DeepCopy(read.GetValues());
   if (this->FileLayout == Layout::Lagranto && this->File.GetText(this->Time->Id, "units").empty())
   {
-    vtkLagrantoConventions::ConvertToHours(times->GetPointer(0), times->GetNumberOfValues());
+    this->TimeWarning = vtkLagrantoConventions::ConvertToHours(times);
   }
   return { times, 0, 1 };
 }

@@ -66,7 +66,7 @@ float ToFloat(double range)
 }
 
 //------------------------------------------------------------------------------
-// Memory that a thread uses for one line after another.
+// Memory that a thread uses for one trajectory after another.
 struct vtkPolylineRanges::Scratch
 {
   std::vector<Sample> Samples;
@@ -75,9 +75,11 @@ struct vtkPolylineRanges::Scratch
 };
 
 //------------------------------------------------------------------------------
-vtkPolylineRanges::vtkPolylineRanges(
-  const vtkPolylines& lines, vtkDataArray* values, vtkDataArray* times, double window)
+vtkPolylineRanges::vtkPolylineRanges(const vtkPolylines& lines,
+  const std::vector<vtkIdType>& firstLines, vtkDataArray* values, vtkDataArray* times,
+  double window)
   : Lines(lines)
+  , FirstLines(firstLines)
   , Values(values)
   , Times(times ? std::make_optional<vtkArrayValues>(times) : std::nullopt)
   , Window(window * (1.0 + WindowTolerance))
@@ -88,20 +90,25 @@ vtkPolylineRanges::vtkPolylineRanges(
 void vtkPolylineRanges::Compute(vtkIdType first, vtkIdType last, float* ranges) const
 {
   Scratch scratch;
-  for (vtkIdType line = first; line < last; ++line)
+  for (vtkIdType trajectory = first; trajectory < last; ++trajectory)
   {
-    ranges[line] =
-      ToFloat(this->Times ? this->ComputeInWindow(line, scratch) : this->ComputeOfLine(line));
+    const vtkIdType firstLine = this->FirstLines[trajectory];
+    const vtkIdType lastLine = this->FirstLines[trajectory + 1];
+    // Lines that follow each other have positions that do.
+    const vtkIdType begin = this->Lines.GetBegin(firstLine);
+    const vtkIdType end = this->Lines.GetBegin(lastLine);
+    const double range =
+      this->Times ? this->ComputeInWindow(begin, end, scratch) : this->ComputeWhole(begin, end);
+    std::fill(ranges + firstLine, ranges + lastLine, ToFloat(range));
   }
 }
 
 //------------------------------------------------------------------------------
-double vtkPolylineRanges::ComputeOfLine(vtkIdType line) const
+double vtkPolylineRanges::ComputeWhole(vtkIdType begin, vtkIdType end) const
 {
   double lowest = Infinite;
   double highest = -Infinite;
-  const vtkIdType end = this->Lines.GetEnd(line);
-  for (vtkIdType i = this->Lines.GetBegin(line); i < end; i += vtkPolylines::BlockSize)
+  for (vtkIdType i = begin; i < end; i += vtkPolylines::BlockSize)
   {
     vtkIdType ids[vtkPolylines::BlockSize];
     double values[vtkPolylines::BlockSize];
@@ -118,9 +125,9 @@ double vtkPolylineRanges::ComputeOfLine(vtkIdType line) const
 }
 
 //------------------------------------------------------------------------------
-double vtkPolylineRanges::ComputeInWindow(vtkIdType line, Scratch& scratch) const
+double vtkPolylineRanges::ComputeInWindow(vtkIdType begin, vtkIdType end, Scratch& scratch) const
 {
-  this->GatherSamples(line, scratch.Samples);
+  this->GatherSamples(begin, end, scratch.Samples);
   scratch.Lowest.Clear();
   scratch.Highest.Clear();
   double range = scratch.Samples.empty() ? Missing : 0.0;
@@ -136,13 +143,13 @@ double vtkPolylineRanges::ComputeInWindow(vtkIdType line, Scratch& scratch) cons
 }
 
 //------------------------------------------------------------------------------
-// The points of a line that have a time and a value, in the order of time or of its reverse, which
-// has the same windows.
-void vtkPolylineRanges::GatherSamples(vtkIdType line, std::vector<Sample>& samples) const
+// The points at these positions that have a time and a value, in the order of time or of its
+// reverse, which has the same windows.
+void vtkPolylineRanges::GatherSamples(
+  vtkIdType begin, vtkIdType end, std::vector<Sample>& samples) const
 {
   samples.clear();
-  const vtkIdType end = this->Lines.GetEnd(line);
-  for (vtkIdType i = this->Lines.GetBegin(line); i < end; i += vtkPolylines::BlockSize)
+  for (vtkIdType i = begin; i < end; i += vtkPolylines::BlockSize)
   {
     vtkIdType ids[vtkPolylines::BlockSize];
     double values[vtkPolylines::BlockSize];

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPolylineRanges
- * @brief   How far the values of a point array spread along each polyline, or within a time.
+ * @brief   How far the values of a point array spread along each trajectory, or within a time.
  *
- * Private to the module. A line of n points takes O(n) time if its times are in order, else
+ * Private to the module. A trajectory of n points takes O(n) time if its times are in order, else
  * O(n log n).
  *
- * @sa vtkTrajectoryAttributes
+ * @sa vtkTrajectoryAttributes vtkTrajectoryParts.h
  */
 
 #ifndef vtkPolylineRanges_h
@@ -17,18 +17,20 @@
 #include "vtkPolylines.h"
 
 #include <optional> // for the times
-#include <vector>   // for the points of a line
+#include <vector>   // for lines and samples
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPolylineRanges
 {
 public:
-  /** `times` may be null: then whole lines are meant, and `window` is not used. */
-  vtkPolylineRanges(
-    const vtkPolylines& lines, vtkDataArray* values, vtkDataArray* times, double window);
+  /** `firstLines` is that of vtkFindTrajectories(). `times` may be null: then whole trajectories
+   * are meant, and `window` is not used. */
+  vtkPolylineRanges(const vtkPolylines& lines, const std::vector<vtkIdType>& firstLines,
+    vtkDataArray* values, vtkDataArray* times, double window);
 
-  /** ranges[line] for the lines first, ..., last - 1; NaN where a line has no value. */
+  /** ranges[line] for the lines of the trajectories first, ..., last - 1; NaN where these have no
+   * value. */
   void Compute(vtkIdType first, vtkIdType last, float* ranges) const;
 
 private:
@@ -39,11 +41,12 @@ private:
   };
   struct Scratch;
 
-  double ComputeOfLine(vtkIdType line) const;
-  double ComputeInWindow(vtkIdType line, Scratch& scratch) const;
-  void GatherSamples(vtkIdType line, std::vector<Sample>& samples) const;
+  double ComputeWhole(vtkIdType begin, vtkIdType end) const;
+  double ComputeInWindow(vtkIdType begin, vtkIdType end, Scratch& scratch) const;
+  void GatherSamples(vtkIdType begin, vtkIdType end, std::vector<Sample>& samples) const;
 
   const vtkPolylines& Lines;
+  const std::vector<vtkIdType>& FirstLines;
   vtkArrayValues Values;
   std::optional<vtkArrayValues> Times;
   double Window;

@@ -51,6 +51,14 @@ std::string Reason(archive* zip)
 }
 
 //------------------------------------------------------------------------------
+bool IsZip(const std::string& path)
+{
+  char magic[4] = {};
+  vtksys::ifstream(path.c_str(), std::ios::in | std::ios::binary).read(magic, sizeof(magic));
+  return std::string(magic, sizeof(magic)) == "PK\3\4";
+}
+
+//------------------------------------------------------------------------------
 Zip OpenZip(const std::string& path)
 {
   Zip zip(archive_read_new(), &archive_read_free);
@@ -94,6 +102,25 @@ void RequirePlain(archive* zip, archive_entry* entry, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool VisitFile(
+  const std::string& path, const std::string& name, const vtkTRXArchive::Visitor& visitor)
+{
+  vtksys::ifstream stream;
+  const vtkTRXArchive::Source source = [&](void* bytes, std::size_t count)
+  {
+    if (!stream.is_open())
+    {
+      stream.open(path.c_str(), std::ios::in | std::ios::binary);
+    }
+    if (!stream.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count)))
+    {
+      throw Truncation(name, count, static_cast<std::size_t>(stream.gcount()));
+    }
+  };
+  return visitor(name, vtksys::SystemTools::FileLength(path), source);
+}
+
+//------------------------------------------------------------------------------
 bool VisitFolder(const std::string& folder, const std::string& prefix, int depth,
   const vtkTRXArchive::Visitor& visitor)
 {
@@ -120,19 +147,7 @@ bool VisitFolder(const std::string& folder, const std::string& prefix, int depth
       }
       continue;
     }
-    vtksys::ifstream stream;
-    const vtkTRXArchive::Source source = [&](void* bytes, std::size_t count)
-    {
-      if (!stream.is_open())
-      {
-        stream.open(path.c_str(), std::ios::in | std::ios::binary);
-      }
-      if (!stream.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count)))
-      {
-        throw Truncation(prefix + name, count, static_cast<std::size_t>(stream.gcount()));
-      }
-    };
-    if (!visitor(prefix + name, vtksys::SystemTools::FileLength(path), source))
+    if (!VisitFile(path, prefix + name, visitor))
     {
       return false;
     }
@@ -146,24 +161,28 @@ vtkTRXArchive::vtkTRXArchive(const std::string& path)
   : Path(path)
   , IsFolder(vtksys::SystemTools::FileIsDirectory(path))
 {
-  if (this->IsFolder)
-  {
-    this->Visit(
-      [this](const std::string&, std::uint64_t size, const Source&)
-      {
-        this->Length += size;
-        return true;
-      });
-    return;
-  }
-  this->Length = vtksys::SystemTools::FileLength(path);
-  char magic[4] = {};
-  vtksys::ifstream(path.c_str(), std::ios::in | std::ios::binary).read(magic, sizeof(magic));
-  if (std::string(magic, sizeof(magic)) != "PK\3\4")
+  if (!this->IsFolder && !IsZip(path))
   {
     throw vtkTrajectoryFileError(
       "expected a zip archive or a folder, found neither", vtkErrorCode::UnrecognizedFileTypeError);
   }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkTRXArchive::GetLength() const
+{
+  if (!this->IsFolder)
+  {
+    return vtksys::SystemTools::FileLength(this->Path);
+  }
+  std::uint64_t length = 0;
+  this->Visit(
+    [&length](const std::string&, std::uint64_t size, const Source&)
+    {
+      length += size;
+      return true;
+    });
+  return length;
 }
 
 //------------------------------------------------------------------------------
@@ -180,10 +199,27 @@ void vtkTRXArchive::Visit(const Visitor& visitor) const
 }
 
 //------------------------------------------------------------------------------
+void vtkTRXArchive::VisitOne(const std::string& name, const Visitor& visitor) const
+{
+  if (!this->IsFolder)
+  {
+    this->VisitZip([&](const std::string& found, std::uint64_t size, const Source& source)
+      { return found != name || visitor(found, size, source); });
+    return;
+  }
+  const std::string path = this->Path + "/" + name;
+  if (vtksys::SystemTools::FileExists(path, true))
+  {
+    VisitFile(path, name, visitor);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTRXArchive::VisitZip(const Visitor& visitor) const
 {
   const Zip zip = OpenZip(this->Path);
-  std::uint64_t left = this->Length * LargestRatio;
+  const std::uint64_t length = this->GetLength();
+  std::uint64_t left = length * LargestRatio;
   for (;;)
   {
     archive_entry* entry = nullptr;
@@ -208,7 +244,7 @@ void vtkTRXArchive::VisitZip(const Visitor& visitor) const
     {
       throw Damage(name,
         "declared as " + std::to_string(size) + " bytes, which is more than the archive of " +
-          std::to_string(this->Length) + " bytes can hold");
+          std::to_string(length) + " bytes can hold");
     }
     left -= size;
 

@@ -34,7 +34,7 @@ public:
   explicit vtkTRXArchive(const std::string& path);
 
   /** Bytes of the zip archive, or of all files in the folder. */
-  std::uint64_t GetLength() const { return this->Length; }
+  std::uint64_t GetLength() const;
 
   /**
    * Go through all files in the order of the archive. Names are relative, with '/' between folders.
@@ -42,12 +42,14 @@ public:
    */
   void Visit(const Visitor& visitor) const;
 
+  /** Go to the file of that name, which need not be there; a folder is not searched. */
+  void VisitOne(const std::string& name, const Visitor& visitor) const;
+
 private:
   void VisitZip(const Visitor& visitor) const;
 
   std::string Path;
   bool IsFolder = false;
-  std::uint64_t Length = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -117,7 +117,7 @@ vtkTRXArray::vtkTRXArray(const std::string& fileName, std::uint64_t bytes)
   const std::string typeName = CutBehind(base, '.');
   const bool isNote = typeName == "json" && (this->Role != UNKNOWN || fileName == "header.json");
   this->Role = isNote ? NOTE : this->Role;
-  if (this->Role == NOTE || this->Role == UNKNOWN)
+  if (!this->IsArray())
   {
     return;
   }

@@ -44,6 +44,9 @@ public:
 
   Roles GetRole() const { return this->Role; }
 
+  /** Whether the file is an array of the format. */
+  bool IsArray() const { return this->Role != NOTE && this->Role != UNKNOWN; }
+
   /** Throws vtkTrajectoryFileError unless the file's bytes are so many tuples. */
   void RequireTuples(std::uint64_t tuples) const;
 

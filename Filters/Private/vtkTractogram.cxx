@@ -4,9 +4,9 @@
 #include "vtkTractogram.h"
 
 #include "vtkTrajectoryFileError.h"
+#include "vtkTrajectoryLines.h"
 
 #include "vtkArrayDispatch.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -14,22 +14,21 @@
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
-#include <numeric>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-constexpr const char* TrajectoryIdName = "TrajectoryId";
-
 //------------------------------------------------------------------------------
 struct FindNotFinite
 {
@@ -74,15 +73,16 @@ int vtkTractogram::Recognize(
   {
     return fileName && isOfKind(fileName);
   }
-  catch (const vtkTrajectoryFileError&)
+  catch (const std::exception&)
   {
     return 0;
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::SetLines(
+vtkTractogram::vtkTractogram(
   vtkPolyData* output, vtkDataArray* coordinates, const std::vector<vtkIdType>& offsets)
+  : Output(output)
 {
   RequireFinite(coordinates, offsets);
   coordinates->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "mm");
@@ -90,7 +90,6 @@ void vtkTractogram::SetLines(
   points->SetData(coordinates);
 
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(TrajectoryIdName);
   vtkNew<vtkIdTypeArray> ends;
   ends->InsertNextValue(0);
   for (std::size_t line = 0; line + 1 < offsets.size(); ++line)
@@ -101,26 +100,24 @@ void vtkTractogram::SetLines(
       ends->InsertNextValue(offsets[line + 1]);
     }
   }
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(coordinates->GetNumberOfTuples());
-  std::iota(connectivity->GetPointer(0),
-    connectivity->GetPointer(0) + connectivity->GetNumberOfValues(), vtkIdType(0));
-  vtkNew<vtkCellArray> lines;
-  lines->SetData(ends, connectivity);
-
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetCellData()->AddArray(ids);
+  this->LineNames.Take(vtkTrajectoryLines::IdName);
+  vtkTrajectoryLines::SetLines(output, points, ends, ids);
+  this->LineIds = ids;
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::AddLineArray(vtkPolyData* output, vtkDataArray* array)
+void vtkTractogram::AddPointArray(vtkDataArray* array)
 {
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray(TrajectoryIdName));
-  const vtkIdType count = ids->GetNumberOfTuples();
+  Add(array, this->Output->GetPointData(), this->PointNames);
+}
+
+//------------------------------------------------------------------------------
+void vtkTractogram::AddLineArray(vtkDataArray* array)
+{
+  const vtkIdType count = this->LineIds->GetNumberOfTuples();
   if (count == array->GetNumberOfTuples())
   {
-    AddArray(output->GetCellData(), array);
+    Add(array, this->Output->GetCellData(), this->LineNames);
     return;
   }
   auto kept = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
@@ -129,19 +126,21 @@ void vtkTractogram::AddLineArray(vtkPolyData* output, vtkDataArray* array)
   kept->SetNumberOfTuples(count);
   for (vtkIdType line = 0; line < count; ++line)
   {
-    kept->SetTuple(line, ids->GetValue(line), array);
+    kept->SetTuple(line, this->LineIds->GetValue(line), array);
   }
-  AddArray(output->GetCellData(), kept);
+  Add(kept, this->Output->GetCellData(), this->LineNames);
 }
 
 //------------------------------------------------------------------------------
-void vtkTractogram::AddArray(vtkFieldData* data, vtkDataArray* array)
+void vtkTractogram::AddFieldArray(vtkDataArray* array)
 {
-  const std::string name = array->GetName();
-  for (int number = 2; data->HasArray(array->GetName()); ++number)
-  {
-    array->SetName((name + "_" + std::to_string(number)).c_str());
-  }
+  Add(array, this->Output->GetFieldData(), this->FieldNames);
+}
+
+//------------------------------------------------------------------------------
+void vtkTractogram::Add(vtkDataArray* array, vtkFieldData* data, vtkArrayNames& names)
+{
+  array->SetName(names.Take(array->GetName()).c_str());
   data->AddArray(array);
 }
 

@@ -4,6 +4,8 @@
 #include "vtkTrajectorySource.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -65,6 +67,18 @@ std::string vtkTrajectorySource::ListVariables() const
     }
   }
   return list;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkTrajectorySource::FindTimeSteps(vtkDoubleArray* times)
+{
+  const double* begin = times->GetPointer(0);
+  std::vector<double> steps;
+  std::copy_if(begin, begin + times->GetNumberOfValues(), std::back_inserter(steps),
+    [](double time) { return std::isfinite(time); });
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -101,8 +101,14 @@ public:
   /** Double precision. */
   virtual Samples ReadTimes() = 0;
 
+  /** The different finite times, in ascending order. */
+  static std::vector<double> FindTimeSteps(vtkDoubleArray* times);
+
   /** Such as "hours since 2011-01-15 12:00:00"; empty: not known. */
   const std::string& GetTimeUnits() const { return this->TimeUnits; }
+
+  /** What about the times, once read, may surprise; empty: nothing. */
+  const std::string& GetTimeWarning() const { return this->TimeWarning; }
 
   static constexpr std::size_t Longitude = 0;
   static constexpr std::size_t Latitude = 1;
@@ -126,6 +132,7 @@ public:
 protected:
   std::vector<Variable> Variables;
   std::string TimeUnits;
+  std::string TimeWarning;
 
 private:
   std::size_t FindAny(

@@ -4,17 +4,17 @@
 #include "vtkUnsharedPoints.h"
 
 #include "vtkPolylines.h"
+#include "vtkRequirePointIds.h"
+#include "vtkShortArrays.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,75 +22,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-//------------------------------------------------------------------------------
-// The ids of a connectivity: their range, and whether each is greater than the one before.
-class IdSurvey
-{
-public:
-  explicit IdSurvey(vtkCellArray* cells)
-    : Cells(cells)
-  {
-    vtkSMPTools::For(0, cells->GetNumberOfConnectivityIds(), *this);
-  }
-
-  void Initialize() { this->LocalResult.Local() = Result(); }
-
-  void operator()(vtkIdType first, vtkIdType last)
-  {
-    Result& result = this->LocalResult.Local();
-    vtkPolylines::VisitIds(this->Cells,
-      [=, &result](const auto* ids)
-      {
-        vtkIdType previous = first > 0 ? ids[first - 1] : VTK_ID_MIN;
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          const vtkIdType id = ids[i];
-          result.Minimum = std::min(result.Minimum, id);
-          result.Maximum = std::max(result.Maximum, id);
-          result.Increasing = result.Increasing && previous < id;
-          previous = id;
-        }
-      });
-  }
-
-  void Reduce()
-  {
-    for (const Result& result : this->LocalResult)
-    {
-      this->Total.Minimum = std::min(this->Total.Minimum, result.Minimum);
-      this->Total.Maximum = std::max(this->Total.Maximum, result.Maximum);
-      this->Total.Increasing = this->Total.Increasing && result.Increasing;
-    }
-  }
-
-  struct Result
-  {
-    vtkIdType Minimum = VTK_ID_MAX;
-    vtkIdType Maximum = VTK_ID_MIN;
-    bool Increasing = true;
-  };
-  Result Total;
-
-private:
-  vtkCellArray* Cells;
-  vtkSMPThreadLocal<Result> LocalResult;
-};
-
-//------------------------------------------------------------------------------
-[[noreturn]] void ThrowBadId(vtkCellArray* cells, const char* kind, vtkIdType pointCount)
-{
-  const vtkPolylines lines(cells);
-  vtkIdType position = 0;
-  while (lines.GetId(position) >= 0 && lines.GetId(position) < pointCount)
-  {
-    ++position;
-  }
-  throw std::out_of_range(std::string(kind) + " " + std::to_string(lines.FindLine(position)) +
-    " uses the point " + std::to_string(lines.GetId(position)) +
-    ", but the input has the points 0 to " + std::to_string(pointCount - 1) +
-    ". Repair what makes this input.");
-}
-
 //------------------------------------------------------------------------------
 // Gives a new id to every use of a point but the first.
 class Copies
@@ -137,7 +68,23 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtkPolyData* output)
+// The point data without arrays that are too short, which cannot be copied.
+vtkSmartPointer<vtkPointData> GetWholeArrays(vtkPolyData* input, vtkObject* filter)
+{
+  auto pointData = vtkSmartPointer<vtkPointData>::New();
+  pointData->ShallowCopy(input->GetPointData());
+  std::set<std::string> removed;
+  vtkRemoveShortArrays(pointData, input->GetNumberOfPoints(), removed);
+  if (!removed.empty())
+  {
+    vtkWarningWithObjectMacro(filter, << vtkDescribeShortArrays(removed));
+  }
+  return pointData;
+}
+
+//------------------------------------------------------------------------------
+void AppendCopies(
+  vtkPolyData* input, const std::vector<vtkIdType>& sources, vtkObject* filter, vtkPolyData* output)
 {
   const vtkIdType pointCount = input->GetNumberOfPoints();
   const vtkIdType total = pointCount + static_cast<vtkIdType>(sources.size());
@@ -145,8 +92,8 @@ void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtk
   vtkNew<vtkIdList> to;
   from->SetNumberOfIds(total);
   to->SetNumberOfIds(total);
-  std::iota(to->GetPointer(0), to->GetPointer(0) + total, 0);
-  std::iota(from->GetPointer(0), from->GetPointer(0) + pointCount, 0);
+  std::iota(to->GetPointer(0), to->GetPointer(0) + total, vtkIdType(0));
+  std::iota(from->GetPointer(0), from->GetPointer(0) + pointCount, vtkIdType(0));
   std::copy(sources.begin(), sources.end(), from->GetPointer(0) + pointCount);
 
   vtkNew<vtkPoints> points;
@@ -155,34 +102,27 @@ void AppendCopies(vtkPolyData* input, const std::vector<vtkIdType>& sources, vtk
   input->GetPoints()->GetPoints(from, points);
   output->SetPoints(points);
 
+  const vtkSmartPointer<vtkPointData> source = GetWholeArrays(input, filter);
   vtkPointData* pointData = output->GetPointData();
   pointData->Initialize();
   pointData->CopyAllOn();
-  pointData->CopyAllocate(input->GetPointData(), total);
+  pointData->CopyAllocate(source, total);
   pointData->SetNumberOfTuples(total);
-  pointData->CopyData(input->GetPointData(), from, to);
+  pointData->CopyData(source, from, to);
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(vtkPolyData* input, Cells cells)
+vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(
+  vtkPolyData* input, Cells cells, vtkObject* filter)
 {
   vtkNew<vtkCellArray> none;
   vtkCellArray* vertices = cells == LINES_AND_VERTICES ? input->GetVerts() : none.Get();
-  const IdSurvey::Result ofLines = IdSurvey(input->GetLines()).Total;
-  const IdSurvey::Result ofVertices = IdSurvey(vertices).Total;
-
   const vtkIdType pointCount = input->GetNumberOfPoints();
-  if (ofLines.Minimum < 0 || ofLines.Maximum >= pointCount)
-  {
-    ThrowBadId(input->GetLines(), "Line", pointCount);
-  }
-  if (ofVertices.Minimum < 0 || ofVertices.Maximum >= pointCount)
-  {
-    ThrowBadId(vertices, "Vertex cell", pointCount);
-  }
+  const vtkPointIdSurvey ofLines = vtkRequirePointIds(input->GetLines(), "Line", pointCount);
+  const vtkPointIdSurvey ofVertices = vtkRequirePointIds(vertices, "Vertex cell", pointCount);
   const bool apart = ofLines.Maximum < ofVertices.Minimum || ofVertices.Maximum < ofLines.Minimum;
-  if (ofLines.Increasing && ofVertices.Increasing && apart)
+  if (ofLines.IsIncreasing && ofVertices.IsIncreasing && apart)
   {
     return input;
   }
@@ -201,7 +141,8 @@ vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(vtkPolyData* input, Cells c
   {
     output->SetVerts(newVertices);
   }
-  AppendCopies(input, copies.GetSources(), output);
+  AppendCopies(input, copies.GetSources(), filter, output);
+  output->DeleteLinks(); // from points to cells; a shallow copy has them from VTK 9.5 on
   return output;
 }
 

@@ -47,10 +47,24 @@ inline double vtkFastAtan2(double y, double x)
   return std::copysign(angle, y) + (x - x) + (y - y);
 }
 
-/** The angle, in [0, pi], between a and b; 0 if one of them has no length. Unlike the inverse
- * cosine, which loses half the digits near 0 and pi, as exact for small angles as for others. */
+/** Scales a vector with components below 1e-60 by a power of two, which leaves the digits as they
+ * are, so that fourth powers do not underflow. */
+inline void vtkScaleSmallVector(double& x, double& y, double& z)
+{
+  const double largest = std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
+  const double scale = largest < 0x1p-200 ? 0x1p400 : 1.0;
+  x *= scale;
+  y *= scale;
+  z *= scale;
+}
+
+/** The angle, in [0, pi], between a and b, of components up to 1e75; 0 if one of them has no
+ * length. Unlike the inverse cosine, which loses half the digits near 0 and pi, as exact for small
+ * angles as for others. */
 inline double vtkVectorAngle(double ax, double ay, double az, double bx, double by, double bz)
 {
+  vtkScaleSmallVector(ax, ay, az);
+  vtkScaleSmallVector(bx, by, bz);
   const double cx = ay * bz - az * by;
   const double cy = az * bx - ax * bz;
   const double cz = ax * by - ay * bx;

@@ -3,18 +3,18 @@
 
 #include "ArrayTable.h"
 
+#include "PlainText.h"
 #include "SceneArrays.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 
 namespace pellucid
 {
@@ -26,51 +26,50 @@ using Row = std::array<std::string, Columns>;
 const Row Titles = { "name", "on", "components", "minimum", "maximum", "unit", "missing", "from" };
 
 //------------------------------------------------------------------------------
-// The shortest text that gives the number of the array's precision back.
-std::string ToText(double value, bool isFloat)
+struct Summary
 {
-  std::array<char, 32> text;
-  char* end = text.data() + text.size();
-  const auto result = isFloat ? std::to_chars(text.data(), end, static_cast<float>(value))
-                              : std::to_chars(text.data(), end, value);
-  return { text.data(), result.ptr };
-}
+  double Minimum = std::numeric_limits<double>::infinity(); // of the finite values
+  double Maximum = -std::numeric_limits<double>::infinity();
+  vtkIdType Missing = 0;
 
-//------------------------------------------------------------------------------
-vtkIdType CountMissing(vtkDataArray* array)
-{
-  vtkIdType missing = 0;
-  for (const auto tuple : vtk::DataArrayTupleRange(array))
+  void Add(vtkDataArray* array)
   {
-    missing +=
-      !std::all_of(tuple.begin(), tuple.end(), [](double value) { return std::isfinite(value); });
+    for (vtkIdType id = 0; id < array->GetNumberOfTuples(); ++id)
+    {
+      const double value = GetNumber(array, id);
+      if (std::isfinite(value))
+      {
+        this->Minimum = std::min(this->Minimum, value);
+        this->Maximum = std::max(this->Maximum, value);
+      }
+      else
+      {
+        ++this->Missing;
+      }
+    }
   }
-  return missing;
-}
+};
 
 //------------------------------------------------------------------------------
 Row MakeRow(const SceneArray& array)
 {
   vtkDataArray* first = array.Parts.front();
-  double minimum = VTK_DOUBLE_MAX;
-  double maximum = VTK_DOUBLE_MIN;
-  vtkIdType missing = 0;
+  Summary summary;
   for (vtkDataArray* part : array.Parts)
   {
-    constexpr int length = -1;
-    double range[2];
-    part->GetFiniteRange(range, length);
-    minimum = std::min(minimum, range[0]);
-    maximum = std::max(maximum, range[1]);
-    missing += CountMissing(part);
+    summary.Add(part);
   }
-  const bool isFloat = first->GetDataType() == VTK_FLOAT;
-  const bool isEmpty = minimum > maximum;
+  const auto toText = [&](double value)
+  {
+    return summary.Minimum > summary.Maximum ? "-"
+      : first->GetDataType() == VTK_FLOAT    ? ToText(static_cast<float>(value))
+                                             : ToText(value);
+  };
   const char* unit =
     first->HasInformation() ? first->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
-  return { array.Name, array.Place, std::to_string(first->GetNumberOfComponents()),
-    isEmpty ? "-" : ToText(minimum, isFloat), isEmpty ? "-" : ToText(maximum, isFloat),
-    unit && *unit ? unit : "-", std::to_string(missing), array.IsComputed ? "computed" : "input" };
+  return { MakePrintable(array.Name), array.Place, std::to_string(first->GetNumberOfComponents()),
+    toText(summary.Minimum), toText(summary.Maximum), unit && *unit ? MakePrintable(unit) : "-",
+    std::to_string(summary.Missing), array.IsComputed ? "computed" : "input" };
 }
 
 //------------------------------------------------------------------------------
@@ -97,10 +96,12 @@ void WriteRows(std::ostream& stream, const std::vector<Row>& rows)
 void WriteArrayTable(std::ostream& stream, const std::vector<Drawable>& drawables)
 {
   bool hasVectors = false;
+  bool hasMap = false;
   for (const Drawable& drawable : drawables)
   {
-    stream << drawable.Name << ": " << drawable.GetNumberOfPoints() << " points, "
+    stream << MakePrintable(drawable.Name) << ": " << drawable.GetNumberOfPoints() << " points, "
            << drawable.GetNumberOfLines() << " lines\n";
+    hasMap = hasMap || drawable.IsMap;
     std::vector<Row> rows = { Titles };
     for (const SceneArray& array : GetArrays(drawable))
     {
@@ -113,6 +114,12 @@ void WriteArrayTable(std::ostream& stream, const std::vector<Drawable>& drawable
   if (hasVectors)
   {
     stream << "Of arrays with several components, minimum and maximum are those of the length.\n";
+  }
+  if (hasMap)
+  {
+    stream << "Lengths, velocities and angles that are computed in longitude and latitude, and "
+              "without --height\ndifferences of height, are those of the map: in degrees, with z "
+              "as --vertical-scale says.\n";
   }
 }
 }

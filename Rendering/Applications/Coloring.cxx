@@ -3,6 +3,8 @@
 
 #include "Coloring.h"
 
+#include "RenderError.h"
+#include "RenderOptions.h"
 #include "SceneArrays.h"
 
 #include "vtkCellDataToPointData.h"
@@ -10,7 +12,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -61,13 +62,10 @@ std::string ChooseName(const Drawable& drawable)
 // Append finite values of the array, lengths in case of vectors; of a large array, some.
 void Sample(vtkDataArray* array, std::vector<double>& values)
 {
-  const int components = array->GetNumberOfComponents();
-  std::vector<double> tuple(components);
   const vtkIdType step = std::max<vtkIdType>(1, array->GetNumberOfTuples() / SampleSize);
   for (vtkIdType id = 0; id < array->GetNumberOfTuples(); id += step)
   {
-    array->GetTuple(id, tuple.data());
-    const double value = components == 1 ? tuple.front() : vtkMath::Norm(tuple.data(), components);
+    const double value = GetNumber(array, id);
     if (std::isfinite(value))
     {
       values.push_back(value);
@@ -90,9 +88,26 @@ double GetQuantile(std::vector<double>& values, double share)
 }
 
 //------------------------------------------------------------------------------
-// Colours from the smallest to the largest of the values, less a few of either end that would
+// From the smallest to the largest value of the array, less a few of either end that would
 // otherwise take most of the colours.
-vtkSmartPointer<vtkLookupTable> MakeTable(std::vector<double>& values)
+NumberRange MeasureRange(const std::vector<Drawable>& drawables, const std::string& name)
+{
+  std::vector<double> values;
+  for (const Drawable& drawable : drawables)
+  {
+    if (const auto array = FindArray(drawable, name))
+    {
+      for (vtkDataArray* part : array->Parts)
+      {
+        Sample(part, values);
+      }
+    }
+  }
+  return { GetQuantile(values, OutlierShare), GetQuantile(values, 1.0 - OutlierShare) };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLookupTable> MakeTable(const NumberRange& range)
 {
   vtkNew<vtkColorTransferFunction> function;
   function->SetColorSpaceToDiverging();
@@ -106,34 +121,27 @@ vtkSmartPointer<vtkLookupTable> MakeTable(std::vector<double>& values)
     function->GetColor(static_cast<double>(i) / (TableSize - 1), color);
     table->SetTableValue(i, color[0], color[1], color[2]);
   }
-  table->SetTableRange(GetQuantile(values, OutlierShare), GetQuantile(values, 1.0 - OutlierShare));
+  table->SetTableRange(range.data());
   table->SetVectorModeToMagnitude();
   return table;
 }
 }
 
 //------------------------------------------------------------------------------
-Coloring::Coloring(const std::vector<Drawable>& drawables, const std::string& name)
-  : Name(name)
+Coloring::Coloring(const std::vector<Drawable>& drawables, const RenderOptions& options)
+  : Name(options.ColorBy)
 {
   for (auto drawable = drawables.begin(); this->Name.empty() && drawable != drawables.end();
        ++drawable)
   {
     this->Name = ChooseName(*drawable);
   }
-
-  std::vector<double> values;
-  for (const Drawable& drawable : drawables)
+  if (options.ColorRange && this->Name.empty())
   {
-    if (const auto array = FindArray(drawable, this->Name))
-    {
-      for (vtkDataArray* part : array->Parts)
-      {
-        Sample(part, values);
-      }
-    }
+    throw RenderError("--color-range: there is no array of numbers to colour by");
   }
-  this->Table = MakeTable(values);
+  this->Table =
+    MakeTable(options.ColorRange ? *options.ColorRange : MeasureRange(drawables, this->Name));
 }
 
 //------------------------------------------------------------------------------

@@ -23,10 +23,11 @@ class Coloring
 {
 public:
   /**
-   * Choose the array: `name`, or if empty the speed of traced lines, or else the active or the
-   * first array.
+   * Choose the array: the one that the options name, or the speed of traced lines, or else the
+   * active or the first array; and its range: that of the options, or most of the values. Throw
+   * RenderError if the options give a range and there is no array.
    */
-  Coloring(const std::vector<Drawable>& drawables, const std::string& name);
+  Coloring(const std::vector<Drawable>& drawables, const RenderOptions& options);
 
   /** Make the mapper of a drawable colour by the array; one colour where it lacks the array. */
   void Apply(vtkMapper* mapper, const Drawable& drawable) const;

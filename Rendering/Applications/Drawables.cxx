@@ -107,6 +107,7 @@ std::vector<Drawable> MakeDrawables(const std::vector<Input>& inputs, const Rend
     if (!geometry.empty())
     {
       drawables.push_back({ input.Name, JoinParts(geometry), std::string() });
+      drawables.back().IsMap = input.IsMap;
     }
     if (!fields.empty())
     {

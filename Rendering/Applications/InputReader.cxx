@@ -15,6 +15,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkGeographicTrajectoryReader.h"
 #include "vtkMultiBlockPLOT3DReader.h"
 
 #include <fstream>
@@ -92,18 +93,21 @@ vtkSmartPointer<vtkDataObject> RunVTKReader(vtkAlgorithm* reader, const std::str
 }
 
 //------------------------------------------------------------------------------
-// Null if the file or folder holds no trajectories.
-vtkSmartPointer<vtkDataObject> ReadTrajectories(
-  const std::string& fileName, const RenderOptions& options)
+// Without data if the file or folder holds no trajectories.
+Input ReadTrajectories(const std::string& fileName, const RenderOptions& options)
 {
   vtkSmartPointer<vtkTrajectoryReader> reader;
   {
     const ReaderGuard guard(GetFailure(fileName));
     reader = MakeTrajectoryReader(fileName, options);
   }
+  if (!reader)
+  {
+    return { fileName, nullptr };
+  }
   // Our readers' messages begin with the name of the file and say it all.
-  return reader ? RunReader(reader, fileName, [](const std::string& reason) { return reason; })
-                : nullptr;
+  const auto data = RunReader(reader, fileName, [](const std::string& reason) { return reason; });
+  return { fileName, data, vtkGeographicTrajectoryReader::SafeDownCast(reader) != nullptr };
 }
 
 //------------------------------------------------------------------------------
@@ -124,22 +128,22 @@ vtkSmartPointer<vtkDataObject> ReadPlot3D(const Plot3DFiles& files)
 
 //------------------------------------------------------------------------------
 // Read the first file, and its partner if it needs one, and take them out of the list.
-vtkSmartPointer<vtkDataObject> TakeInput(
-  std::vector<std::string>& fileNames, const RenderOptions& options)
+Input TakeInput(std::vector<std::string>& fileNames, const RenderOptions& options)
 {
   const std::string fileName = fileNames.front();
   CheckReadable(fileName);
-  vtkSmartPointer<vtkDataObject> data = ReadTrajectories(fileName, options);
-  if (!data)
+  Input input = ReadTrajectories(fileName, options);
+  if (!input.Data)
   {
     CheckNoFolder(fileName);
     if (const auto reader = MakeFileReader(fileName))
     {
-      data = RunVTKReader(reader, fileName);
+      input.Data = RunVTKReader(reader, fileName);
     }
     else if (IsPlot3DFileName(fileName))
     {
-      return ReadPlot3D(TakePlot3DFiles(fileNames));
+      input.Data = ReadPlot3D(TakePlot3DFiles(fileNames));
+      return input;
     }
     else
     {
@@ -147,7 +151,7 @@ vtkSmartPointer<vtkDataObject> TakeInput(
     }
   }
   fileNames.erase(fileNames.begin());
-  return data;
+  return input;
 }
 }
 
@@ -158,9 +162,8 @@ std::vector<Input> ReadInputs(const RenderOptions& options)
   std::vector<std::string> remaining = options.Inputs;
   while (!remaining.empty())
   {
-    const std::string fileName = remaining.front();
-    inputs.push_back({ fileName, TakeInput(remaining, options) });
-    CheckData(inputs.back().Data, fileName);
+    inputs.push_back(TakeInput(remaining, options));
+    CheckData(inputs.back().Data, inputs.back().Name);
   }
   return inputs;
 }

@@ -22,6 +22,7 @@ struct Input
 {
   std::string Name; // of the file, or of the first of two
   vtkSmartPointer<vtkDataObject> Data;
+  bool IsMap = false; // x and y are degrees of longitude and latitude
 };
 
 /**

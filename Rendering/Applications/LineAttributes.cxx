@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkTrajectoryAttributes.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace pellucid
@@ -20,14 +19,38 @@ namespace pellucid
 namespace
 {
 //------------------------------------------------------------------------------
-bool HasPressure(vtkPolyData* part, const std::string& name)
+bool HasPointArray(vtkPolyData* part, const std::string& name)
 {
   return !name.empty() && part->GetPointData()->GetArray(name.c_str());
 }
 
 //------------------------------------------------------------------------------
+// Whether the filter finds the time of the points: then it computes velocities, also of no points.
+bool HasTime(vtkPolyData* part)
+{
+  vtkNew<vtkPolyData> noPoints;
+  noPoints->GetPointData()->CopyStructure(part->GetPointData());
+  const char* velocity =
+    vtkTrajectoryAttributes::GetAttributeName(vtkTrajectoryAttributes::VELOCITY);
+  vtkNew<vtkTrajectoryAttributes> filter;
+  filter->SetInputData(noPoints);
+  filter->SetAllAttributeStatuses(vtkTrajectoryAttributes::OFF);
+  filter->SetAttributeStatus(velocity, vtkTrajectoryAttributes::AUTOMATIC);
+  filter->Update();
+  return HasArray(filter->GetOutput(), velocity);
+}
+
+//------------------------------------------------------------------------------
+bool NeedsTimeOfWindow(const std::string& name, const RenderOptions& options)
+{
+  return options.TimeWindow > 0.0 &&
+    vtkTrajectoryAttributes::GetAttributeIndex(name.c_str()) ==
+    vtkTrajectoryAttributes::TOTAL_PRESSURE_DIFFERENCE;
+}
+
+//------------------------------------------------------------------------------
 // Add one attribute to the parts with lines that lack it, if it can be computed there. A chosen
-// pressure is for the parts that have it.
+// pressure or height is for the parts that have it.
 void AddAttribute(
   std::vector<Drawable>& drawables, const std::string& name, const RenderOptions& options)
 {
@@ -38,20 +61,26 @@ void AddAttribute(
       drawable.Computed.insert(name);
     }
   }
+  const bool needsTime = NeedsTimeOfWindow(name, options);
   for (const bool hasPressure : { true, false })
   {
-    vtkNew<vtkTrajectoryAttributes> filter;
-    filter->SetAllAttributeStatuses(vtkTrajectoryAttributes::OFF);
-    filter->SetAttributeStatus(name.c_str(), vtkTrajectoryAttributes::AUTOMATIC);
-    filter->SetPressureArray(hasPressure ? options.Pressure.c_str() : nullptr);
-    filter->SetUpAxis(options.UpAxis);
-    filter->SetTimeWindow(options.TimeWindow);
-    const auto lacksAttribute = [&](vtkPolyData* part)
+    for (const bool hasHeight : { true, false })
     {
-      return part->GetNumberOfLines() > 0 && !HasArray(part, name) &&
-        HasPressure(part, options.Pressure) == hasPressure;
-    };
-    FilterParts(drawables, lacksAttribute, filter, name);
+      vtkNew<vtkTrajectoryAttributes> filter;
+      filter->SetAllAttributeStatuses(vtkTrajectoryAttributes::OFF);
+      filter->SetAttributeStatus(name.c_str(), vtkTrajectoryAttributes::AUTOMATIC);
+      filter->SetPressureArray(hasPressure ? options.Pressure.c_str() : nullptr);
+      filter->SetHeightArray(hasHeight ? options.Height.c_str() : nullptr);
+      filter->SetUpAxis(options.UpAxis);
+      filter->SetTimeWindow(options.TimeWindow);
+      const auto lacksAttribute = [&](vtkPolyData* part)
+      {
+        return part->GetNumberOfLines() > 0 && !HasArray(part, name) &&
+          HasPointArray(part, options.Pressure) == hasPressure &&
+          HasPointArray(part, options.Height) == hasHeight && (!needsTime || HasTime(part));
+      };
+      FilterParts(drawables, lacksAttribute, filter, name);
+    }
   }
 }
 
@@ -86,15 +115,8 @@ std::vector<std::pair<std::string, std::string>> GetNamedArrays(const RenderOpti
 }
 
 //------------------------------------------------------------------------------
-bool IsThere(const std::vector<Drawable>& drawables, const std::string& name)
-{
-  return std::any_of(drawables.begin(), drawables.end(),
-    [&name](const Drawable& drawable) { return FindArray(drawable, name).has_value(); });
-}
-
-//------------------------------------------------------------------------------
 // What an attribute is computed from; empty for the name of another array.
-std::string GetNeeds(const std::string& name)
+std::string GetNeeds(const std::string& name, const RenderOptions& options)
 {
   switch (vtkTrajectoryAttributes::GetAttributeIndex(name.c_str()))
   {
@@ -102,7 +124,8 @@ std::string GetNeeds(const std::string& name)
       return "";
     case vtkTrajectoryAttributes::TOTAL_PRESSURE_DIFFERENCE:
     case vtkTrajectoryAttributes::SEGMENT_PRESSURE_DIFFERENCE:
-      return "lines with pressure, which --pressure names";
+      return std::string("lines with pressure, which --pressure names") +
+        (NeedsTimeOfWindow(name, options) ? ", and with time, for --time-window" : "");
     case vtkTrajectoryAttributes::VELOCITY:
       return "lines with time";
     default:
@@ -111,22 +134,32 @@ std::string GetNeeds(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-[[noreturn]] void Refuse(const std::string& option, const std::string& name,
+[[noreturn]] void Refuse(const std::string& option, const std::string& reason,
   std::vector<Drawable> drawables, const RenderOptions& options)
 {
   AddAttributes(drawables, options);
-  const std::string needs = GetNeeds(name);
-  const std::string reason = needs.empty() ? "there is no array '" + name + "' with numbers"
-                                           : name + " is computed from " + needs;
   throw RenderError(option + ": " + reason + "; there are " + ListArrays(drawables));
 }
 
 //------------------------------------------------------------------------------
-void CheckPressure(const std::vector<Drawable>& drawables, const RenderOptions& options)
+// The options that say what attributes are computed from.
+void CheckRoles(const std::vector<Drawable>& drawables, const RenderOptions& options)
 {
-  if (!options.Pressure.empty() && !IsThere(drawables, options.Pressure))
+  for (const auto& [option, name] :
+    { std::pair("--pressure", options.Pressure), { "--height", options.Height } })
   {
-    Refuse("--pressure", options.Pressure, drawables, options);
+    const auto hasArray = [&array = name](vtkPolyData* part) { return HasPointArray(part, array); };
+    if (!name.empty() && !AnyPart(drawables, hasArray))
+    {
+      Refuse(
+        option, "there is no array '" + name + "' with numbers of the points", drawables, options);
+    }
+  }
+  if (options.TimeWindow > 0.0 && !AnyPart(drawables, HasTime))
+  {
+    Refuse("--time-window",
+      "needs the time of the points, in an array named time or IntegrationTime", drawables,
+      options);
   }
 }
 }
@@ -134,23 +167,28 @@ void CheckPressure(const std::vector<Drawable>& drawables, const RenderOptions& 
 //------------------------------------------------------------------------------
 void AddAllAttributes(std::vector<Drawable>& drawables, const RenderOptions& options)
 {
-  CheckPressure(drawables, options);
+  CheckRoles(drawables, options);
   AddAttributes(drawables, options);
 }
 
 //------------------------------------------------------------------------------
 void AddNamedAttributes(std::vector<Drawable>& drawables, const RenderOptions& options)
 {
-  CheckPressure(drawables, options);
+  CheckRoles(drawables, options);
   for (const auto& [option, name] : GetNamedArrays(options))
   {
     if (vtkTrajectoryAttributes::GetAttributeIndex(name.c_str()) >= 0)
     {
       AddAttribute(drawables, name, options);
     }
-    if (!IsThere(drawables, name))
+    const auto hasArray = [&array = name](vtkPolyData* part) { return HasArray(part, array); };
+    if (!AnyPart(drawables, hasArray))
     {
-      Refuse(option, name, drawables, options);
+      const std::string needs = GetNeeds(name, options);
+      Refuse(option,
+        needs.empty() ? "there is no array '" + name + "' with numbers"
+                      : name + " is computed from " + needs,
+        drawables, options);
     }
   }
 }

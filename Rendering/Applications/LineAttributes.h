@@ -15,12 +15,15 @@ namespace pellucid
 /**
  * Add those attributes of vtkTrajectoryAttributes that importance, selection or colouring name, to
  * the parts with lines that do not have an array of that name. Throw RenderError, which lists the
- * arrays there are, for an array that an option names and no part has, and for an attribute that
- * cannot be computed.
+ * arrays there are, for an array that an option names and no part has, for an attribute that cannot
+ * be computed, and as AddAllAttributes() does.
  */
 void AddNamedAttributes(std::vector<Drawable>& drawables, const RenderOptions& options);
 
-/** Add all attributes that can be computed. Throw RenderError for an unknown pressure array. */
+/**
+ * Add all attributes that can be computed. Throw RenderError where the points have no array that
+ * the options name as pressure or height, or no time for the window.
+ */
 void AddAllAttributes(std::vector<Drawable>& drawables, const RenderOptions& options);
 }
 

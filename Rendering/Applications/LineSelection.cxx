@@ -8,10 +8,16 @@
 #include "RenderOptions.h"
 #include "SceneFilter.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTrajectorySelection.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pellucid
@@ -50,20 +56,44 @@ PartTest PartsWithArray(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Replace percentiles by the values that they are in the drawables.
+// The values of the part on as many points and cells, of which none is a line to select.
+vtkSmartPointer<vtkPolyData> TakeValues(vtkPolyData* part)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(part->GetNumberOfCells() + 1);
+  offsets->FillValue(0);
+  vtkNew<vtkCellArray> emptyCells;
+  emptyCells->SetData(offsets, vtkNew<vtkIdTypeArray>());
+  auto values = vtkSmartPointer<vtkPolyData>::New();
+  values->SetPoints(part->GetPoints());
+  values->SetVerts(emptyCells);
+  values->GetPointData()->ShallowCopy(part->GetPointData());
+  values->GetCellData()->ShallowCopy(part->GetCellData());
+  return values;
+}
+
+//------------------------------------------------------------------------------
+// Replace percentiles by the values that they are in the drawables; without values, which the
+// filter warns of, the range by one that selects nothing.
 void ResolvePercentiles(SelectionRange& range, std::vector<Drawable> drawables)
 {
+  for (Drawable& drawable : drawables)
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> values;
+    for (vtkPolyData* part : drawable.GetLeaves())
+    {
+      values.push_back(TakeValues(part));
+    }
+    drawable.Data = JoinParts({ values.begin(), values.end() });
+  }
   const auto filter = MakeFilter(range);
   FilterParts(drawables, PartsWithArray(range.Array), filter, "--select");
-  const auto resolve = [](std::optional<RangeLimit>& limit, double value)
-  {
-    if (limit && limit->IsPercentile && std::isfinite(value))
-    {
-      limit = RangeLimit{ value, false };
-    }
-  };
-  resolve(range.Minimum, filter->GetEffectiveMinimum());
-  resolve(range.Maximum, filter->GetEffectiveMaximum());
+  const double minimum = filter->GetEffectiveMinimum();
+  const double maximum = filter->GetEffectiveMaximum();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool isEmpty = std::isnan(minimum) || std::isnan(maximum);
+  range.Minimum = RangeLimit{ isEmpty ? infinity : minimum, false };
+  range.Maximum = RangeLimit{ isEmpty ? -infinity : maximum, false };
 }
 }
 

@@ -3,6 +3,7 @@
 
 #include "MessageLog.h"
 
+#include "PlainText.h"
 #include "RenderError.h"
 
 #include "vtkLogger.h"
@@ -92,7 +93,7 @@ void MessageLog::PrintWarnings()
 {
   for (const std::string& warning : this->Warnings)
   {
-    std::cerr << "pellucid-render: warning: " << warning << "\n";
+    std::cerr << "pellucid-render: warning: " << MakePrintable(warning) << "\n";
   }
   this->Clear();
 }

@@ -4,9 +4,9 @@
 #include "OptionGroup.h"
 
 #include "OptionText.h"
+#include "PlainText.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace pellucid
 {
@@ -17,17 +17,16 @@ constexpr double LargestInteger = std::numeric_limits<int>::max();
 //------------------------------------------------------------------------------
 std::string DescribeRange(const std::string& kind, double minimum, double maximum)
 {
-  std::ostringstream text;
-  text << kind;
+  std::string text = kind;
   if (minimum > -OptionGroup::Unbounded)
   {
-    text << " of at least " << minimum;
+    text += " of at least " + ToText(minimum);
   }
   if (maximum < LargestInteger)
   {
-    text << " and at most " << maximum;
+    text += " and at most " + ToText(maximum);
   }
-  return text.str();
+  return text;
 }
 }
 

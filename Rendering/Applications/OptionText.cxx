@@ -3,8 +3,8 @@
 
 #include "OptionText.h"
 
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace pellucid
 {
@@ -41,11 +41,13 @@ std::optional<ImportanceTerm> ToTermWithoutWeight(std::string_view text)
 //------------------------------------------------------------------------------
 std::optional<double> ToNumber(std::string_view text)
 {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  const bool isNumber = result.ec == std::errc() && result.ptr == end && std::isfinite(value);
-  return isNumber ? std::optional<double>(value) : std::nullopt;
+  // Not all standard libraries have std::from_chars() for double. The program keeps the locale C.
+  const std::string number(text);
+  const bool isDecimal = number.find_first_not_of("+-.0123456789Ee") == std::string::npos;
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  const bool isWhole = !number.empty() && *end == '\0';
+  return isDecimal && isWhole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +90,16 @@ std::optional<std::array<int, 2>> ToSize(std::string_view text)
     size[i] = static_cast<int>(*side);
   }
   return size;
+}
+
+//------------------------------------------------------------------------------
+std::optional<NumberRange> ToRange(std::string_view text)
+{
+  const auto maximum = ToNumber(TakeLast(text).value_or(""));
+  const auto minimum = ToNumber(text);
+  return minimum && maximum && *minimum < *maximum
+    ? std::optional<NumberRange>({ *minimum, *maximum })
+    : std::nullopt;
 }
 
 //------------------------------------------------------------------------------

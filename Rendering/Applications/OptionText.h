@@ -14,7 +14,7 @@
 
 namespace pellucid
 {
-/** All of the text as one finite number. */
+/** All of the text as one finite number; one that is too small for a double is 0. */
 std::optional<double> ToNumber(std::string_view text);
 
 /** "X,Y,Z" */
@@ -25,6 +25,9 @@ constexpr int LargestSide = 65536;
 
 /** "WxH", each 1 to LargestSide. */
 std::optional<std::array<int, 2>> ToSize(std::string_view text);
+
+/** "MINIMUM:MAXIMUM", two numbers, the first below the second. */
+std::optional<NumberRange> ToRange(std::string_view text);
 
 /** "500", or "5%" with 0 to 100 per cent. */
 std::optional<RangeLimit> ToLimit(std::string_view text);

@@ -79,6 +79,19 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
   group.AddText("--color-by", options.ColorBy, "ARRAY",
     "Array that colours, a vector by its length: of the points or lines, a computed one, or "
     "Importance; default: the speed of traced lines, otherwise the active or first array");
+  group.Add(
+    "--color-range",
+    [&options](const std::string& text)
+    {
+      options.ColorRange = ToRange(text);
+      if (!options.ColorRange)
+      {
+        Refuse("--color-range", "MINIMUM:MAXIMUM, two numbers, the first below the second", text);
+      }
+    },
+    "MINIMUM:MAXIMUM",
+    "Values of the first and the last colour, so that pictures compare; default: from the data, "
+    "less 1 % at either end");
   group.AddNumber("--opacity", options.Opacity, 0.0, 1.0, "A",
     "Opacity of everything, 0 to 1; default 0.3, and 1 for what --importance fades");
   group.AddNumber("--radius", options.Radius, 0.0, OptionGroup::Unbounded, "R",
@@ -132,7 +145,12 @@ void AddImportanceOptions(CLI::App& app, RenderOptions& options)
     "Draw only the lines that have a value of the array in this range; an empty limit is open. Of "
     "several, all must hold");
   group.AddText("--pressure", options.Pressure, "ARRAY",
-    "Pressure of computed arrays; default: the array with a name that is common for it");
+    "Pressure of computed arrays, of the points; default: the array with a name that is common for "
+    "it");
+  group.AddText("--height", options.Height, "ARRAY",
+    "Height that SegmentHeightDifference compares, of the points; default: the coordinate that "
+    "--up "
+    "names");
   group.AddChoice("--up", options.UpAxis, { { "x", 0 }, { "y", 1 }, { "z", 2 } },
     "Axis that points up, for computed arrays and the camera; default z");
   group.AddNumber("--time-window", options.TimeWindow, 0.0, OptionGroup::Unbounded, "T",

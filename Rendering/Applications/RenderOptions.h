@@ -16,6 +16,7 @@
 namespace pellucid
 {
 using Vector3 = std::array<double, 3>;
+using NumberRange = std::array<double, 2>; // minimum, maximum
 
 enum class Method
 {
@@ -83,9 +84,10 @@ struct RenderOptions
   bool TransparentBackground = false;
 
   // appearance
-  std::string ColorBy;           // empty: speed of traced lines, or the active or first array
-  std::optional<double> Opacity; // none: 1 where importance decides, else 0.3
-  double Radius = 0.0;           // world units; 0: from the data
+  std::string ColorBy; // empty: speed of traced lines, or the active or first array
+  std::optional<NumberRange> ColorRange; // none: most of the values
+  std::optional<double> Opacity;         // none: 1 where importance decides, else 0.3
+  double Radius = 0.0;                   // world units; 0: from the data
   bool Lighting = true;
 
   // camera; what is not given follows from the data
@@ -99,6 +101,7 @@ struct RenderOptions
   double Exponent = 1.0;
   std::vector<SelectionRange> Selections;
   std::string Pressure;    // empty: the array that is commonly called so
+  std::string Height;      // empty: the coordinate along the axis that points up
   int UpAxis = 2;          // 0 x, 1 y, 2 z
   double TimeWindow = 0.0; // unit of the time array; 0: the whole line
 

@@ -7,6 +7,7 @@
 #include "vtkDataSetAttributes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace pellucid
@@ -67,6 +68,17 @@ std::optional<SceneArray> FindArray(const Drawable& drawable, const std::string&
   const auto array = std::find_if(arrays.begin(), arrays.end(),
     [&name](const SceneArray& candidate) { return candidate.Name == name; });
   return array != arrays.end() ? std::optional<SceneArray>(*array) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+double GetNumber(vtkDataArray* array, vtkIdType id)
+{
+  double number = array->GetComponent(id, 0);
+  for (int i = 1; i < array->GetNumberOfComponents(); ++i)
+  {
+    number = std::hypot(number, array->GetComponent(id, i));
+  }
+  return number;
 }
 
 //------------------------------------------------------------------------------

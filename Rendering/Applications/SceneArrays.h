@@ -10,6 +10,8 @@
 
 #include "Drawables.h"
 
+#include "vtkType.h"
+
 #include <optional> // for what may not be there
 #include <string>   // for names
 #include <vector>   // for lists
@@ -33,6 +35,9 @@ std::vector<SceneArray> GetArrays(const Drawable& drawable);
 
 /** The one of that name, of the points rather than the cells; nothing if there is none. */
 std::optional<SceneArray> FindArray(const Drawable& drawable, const std::string& name);
+
+/** The value of a tuple: its number, or the length of a vector. */
+double GetNumber(vtkDataArray* array, vtkIdType id);
 
 /** "density (points), TurningAngle (points, computed), ...", in the order of the alphabet. */
 std::string ListArrays(const std::vector<Drawable>& drawables);

@@ -13,8 +13,21 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+
 namespace pellucid
 {
+//------------------------------------------------------------------------------
+bool AnyPart(const std::vector<Drawable>& drawables, const PartTest& test)
+{
+  return std::any_of(drawables.begin(), drawables.end(),
+    [&test](const Drawable& drawable)
+    {
+      const auto parts = drawable.GetLeaves();
+      return std::any_of(parts.begin(), parts.end(), test);
+    });
+}
+
 //------------------------------------------------------------------------------
 void FilterParts(std::vector<Drawable>& drawables, const PartTest& takesPart, vtkAlgorithm* filter,
   const std::string& title)

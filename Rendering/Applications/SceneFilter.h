@@ -19,6 +19,9 @@ namespace pellucid
 {
 using PartTest = std::function<bool(vtkPolyData*)>;
 
+/** Whether any part passes the test. */
+bool AnyPart(const std::vector<Drawable>& drawables, const PartTest& test);
+
 /**
  * Replace the parts that pass the test by what the filter makes of them; it gets them as the blocks
  * of one data set, so that its percentiles are those of all. Print the filter's warnings. Throw

@@ -18,20 +18,6 @@ namespace pellucid
 namespace
 {
 //------------------------------------------------------------------------------
-void CheckSomePart(const std::vector<Drawable>& drawables, const PartTest& hasAll)
-{
-  for (const Drawable& drawable : drawables)
-  {
-    const auto parts = drawable.GetLeaves();
-    if (std::any_of(parts.begin(), parts.end(), hasAll))
-    {
-      return;
-    }
-  }
-  throw RenderError("--importance: no input has all of the arrays; name arrays of one input");
-}
-
-//------------------------------------------------------------------------------
 // Drawables of parts that all have importance, or all lack it.
 std::vector<Drawable> Divide(const std::vector<Drawable>& drawables, const PartTest& hasAll)
 {
@@ -68,7 +54,10 @@ std::vector<long long> AddImportance(std::vector<Drawable>& drawables, const Ren
     return std::all_of(options.Importance.begin(), options.Importance.end(),
       [part](const ImportanceTerm& term) { return HasArray(part, term.Array); });
   };
-  CheckSomePart(drawables, hasAll);
+  if (!AnyPart(drawables, hasAll))
+  {
+    throw RenderError("--importance: no input has all of the arrays; name arrays of one input");
+  }
   drawables = Divide(drawables, hasAll);
 
   vtkNew<vtkImportance> filter;

@@ -3,6 +3,7 @@
 
 #include "StockActors.h"
 
+#include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -39,6 +40,28 @@ vtkSmartPointer<vtkPolyData> AddFadedColors(
 }
 
 //------------------------------------------------------------------------------
+// The part without its lines, and without their tuples of the cell data, which stand between those
+// of the vertices and those of the polygons and strips.
+vtkSmartPointer<vtkPolyData> RemoveLines(vtkPolyData* part)
+{
+  auto rest = vtkSmartPointer<vtkPolyData>::New();
+  rest->SetPoints(part->GetPoints());
+  rest->SetVerts(part->GetVerts());
+  rest->SetPolys(part->GetPolys());
+  rest->SetStrips(part->GetStrips());
+  rest->GetPointData()->ShallowCopy(part->GetPointData());
+  const vtkIdType first = part->GetNumberOfVerts();
+  const vtkIdType lines = part->GetNumberOfLines();
+  const vtkIdType last = part->GetNumberOfCells() - first - lines;
+  vtkCellData* cells = rest->GetCellData();
+  cells->CopyAllOn();
+  cells->CopyAllocate(part->GetCellData(), first + last);
+  cells->CopyData(part->GetCellData(), 0, first, 0);
+  cells->CopyData(part->GetCellData(), first, last, first + lines);
+  return rest;
+}
+
+//------------------------------------------------------------------------------
 void ApplyFadedColors(vtkMapper* mapper)
 {
   mapper->SetScalarModeToUsePointFieldData();
@@ -62,9 +85,7 @@ std::vector<vtkSmartPointer<vtkActor>> MakeStockActors(
   tubes->SetNumberOfSides(TubeSides);
   tubes->CappingOn();
   tubes->Update();
-  vtkNew<vtkPolyData> others;
-  others->ShallowCopy(colored);
-  others->SetLines(nullptr);
+  const auto others = RemoveLines(colored);
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
   for (vtkPolyData* geometry : { tubes->GetOutput(), others.Get() })

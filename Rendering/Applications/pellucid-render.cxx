@@ -14,6 +14,7 @@
 #include "MessageLog.h"
 #include "PictureFile.h"
 #include "PictureMaking.h"
+#include "PlainText.h"
 #include "RenderError.h"
 #include "SceneImportance.h"
 
@@ -53,7 +54,7 @@ void Run(const pellucid::RenderOptions& options)
     statistics.SelectedLines += drawable.GetNumberOfLines();
   }
   statistics.ImportanceHistogram = AddImportance(drawables, options);
-  const Coloring colors(drawables, options.ColorBy);
+  const Coloring colors(drawables, options);
   const Scene scene{ std::move(drawables), colors };
   const Frame frame = MakePicture(scene, options);
   WritePicture(frame.Picture, options.Output);
@@ -66,7 +67,7 @@ void Run(const pellucid::RenderOptions& options)
 //------------------------------------------------------------------------------
 int Fail(const std::string& message)
 {
-  std::cerr << "pellucid-render: " << message << "\n";
+  std::cerr << "pellucid-render: " << pellucid::MakePrintable(message) << "\n";
   return 1;
 }
 }

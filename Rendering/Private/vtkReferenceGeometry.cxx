@@ -20,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkQuaternion.h"
 #include "vtkSmartPointer.h"
+#include "vtkTrajectoryOpacities.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -144,10 +145,9 @@ class DataOpacities
 {
 public:
   DataOpacities(const vtkReferenceTarget& target, vtkPolyData* data)
+    : Factors(
+        vtkTrajectoryOpacities(target.opacityArray ? target.opacityArray : "").FindGoodArray(data))
   {
-    vtkDataArray* array =
-      target.opacityArray ? data->GetPointData()->GetArray(target.opacityArray) : nullptr;
-    this->Factors = array && array->GetNumberOfComponents() == 1 ? array : nullptr;
   }
 
   double Get(vtkIdType point) const

@@ -38,6 +38,9 @@ public:
   /** Has the data an array of that name that cannot be used: several components, or too short? */
   bool IsBad(vtkPolyData* data) const;
 
+  /** The array of that name; null if the data lacks it, or if it cannot be used. */
+  vtkDataArray* FindGoodArray(vtkPolyData* data) const;
+
   /** Has the data a factor below 1? */
   bool IsTranslucent(vtkPolyData* data) const;
 
@@ -49,7 +52,6 @@ public:
 
 private:
   vtkDataArray* FindArray(vtkPolyData* data) const;
-  vtkDataArray* FindGoodArray(vtkPolyData* data) const;
 
   std::string Name;
 };

@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> MakeSegmentedLines(int segments)
   divider->SetInputData(lines);
   divider->SetNumberOfSegments(segments);
   divider->Update();
-  return divider->GetOutput();
+  return divider->GetPolyDataOutput();
 }
 
 //------------------------------------------------------------------------------

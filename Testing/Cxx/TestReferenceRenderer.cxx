@@ -3,7 +3,8 @@
 /**
  * vtkReferenceRenderer on scenes with a known result: stacks of up to 100,000 translucent layers,
  * depths in perspective, meshes whose edges run through pixel centres, any order of props and
- * number of threads giving the same bits, transparent backgrounds, and what it cannot draw.
+ * number of threads giving the same bits, transparent backgrounds, what it cannot draw, and what it
+ * does not use.
  */
 
 #include "ReferenceTesting.h"
@@ -11,9 +12,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -23,6 +26,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
+#include "vtkTrajectoryMapper.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -257,6 +261,43 @@ void TestOmissions(Checks& checks)
     std::none_of(values, values + 4 * 16, [](double value) { return std::isnan(value); }));
 }
 
+/** As in vtkTrajectoryMapper, an opacity array that lacks values is not used. */
+void TestShortOpacityArray(Checks& checks)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(5, 5, 0);
+  points->InsertNextPoint(0, 0, 0);
+  vtkNew<vtkCellArray> balls;
+  balls->InsertNextCell({ 0 });
+  balls->InsertNextCell({ 1 });
+  vtkNew<vtkFloatArray> factors;
+  factors->SetName("Factor");
+  factors->SetNumberOfValues(2);
+  factors->FillValue(0.0f);
+  factors->SetNumberOfValues(1); // what is behind stays allocated
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(balls);
+  data->GetPointData()->AddArray(factors);
+  vtkNew<vtkTrajectoryMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetRadius(0.5);
+  mapper->SetOpacityArray("Factor");
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.25);
+  vtkNew<vtkRenderer> renderer;
+  UseParallelCamera(renderer);
+  renderer->AddActor(actor);
+  vtkNew<vtkReferenceRenderer> reference;
+  reference->SetRenderer(renderer);
+  reference->SetSize(1, 1);
+  reference->TransparentBackgroundOn();
+  reference->Update();
+  const auto* pixel = static_cast<double*>(reference->GetImage()->GetScalarPointer());
+  checks.Near("short opacity array, alpha", pixel[3], 0.25, 1e-12);
+}
+
 void TestErrors(Checks& checks)
 {
   vtkObject::GlobalWarningDisplayOff();
@@ -285,6 +326,7 @@ int TestReferenceRenderer(int, char*[])
   TestSameBits(checks);
   TestBackground(checks);
   TestOmissions(checks);
+  TestShortOpacityArray(checks);
   TestErrors(checks);
   return checks.Result();
 }

@@ -94,8 +94,9 @@ void TestCircleAndHelix(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
-// Turning angle and angle of ascent are as exact as their arrays, for angles of every size.
-void TestExactAngles(Checks& checks)
+// Turning angle and angle of ascent are as exact as their arrays, for angles and lengths of every
+// size.
+void TestExactAngles(Checks& checks, double scale)
 {
   std::vector<double> angles = { 1e-6, 1e-5, 1e-3, 0.1, vtkMath::Pi() - 1e-6, vtkMath::Pi() };
   for (double angle = 0.01; angle < vtkMath::Pi(); angle += 0.01)
@@ -107,7 +108,8 @@ void TestExactAngles(Checks& checks)
   for (const double angle : angles)
   {
     const TrajectoryPoint end = { std::cos(angle), std::sin(angle) * 0.6, std::sin(angle) * 0.8 };
-    bends.push_back({ { -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, end });
+    bends.push_back({ { -3.0 * scale, 0.0, 0.0 }, { 0.0, 0.0, 0.0 },
+      { scale * end[0], scale * end[1], scale * end[2] } });
   }
   const auto result = Compute(MakeTrajectories(bends));
   for (std::size_t i = 0; i < angles.size(); ++i)
@@ -359,7 +361,10 @@ int TestTrajectoryAttributes(int, char*[])
 {
   Checks checks;
   TestCircleAndHelix(checks);
-  TestExactAngles(checks);
+  for (const double scale : { 1.0, 1e-150, 1e-90, 1e-60, 1e70 })
+  {
+    TestExactAngles(checks, scale);
+  }
   TestSpecialLines(checks);
   TestRandomLines(checks);
   return checks.Result();

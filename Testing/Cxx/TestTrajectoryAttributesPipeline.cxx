@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * vtkTrajectoryAttributes as a filter: which arrays it takes and makes, shared points, other cells,
- * composite data, every error's message, progress, abort, and the same bits with any number of
- * threads.
+ * trajectories of several lines, composite data, every error's message, progress, abort, and the
+ * same bits with any number of threads.
  */
 
 #include "ReferenceTesting.h"
@@ -11,6 +11,7 @@
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTrajectoryAttributes.h"
@@ -101,7 +102,7 @@ void TestArrays(Checks& checks)
 
 //------------------------------------------------------------------------------
 // A square that ends at its first point, a line that leaves it there, and cells that are not lines.
-void TestSharedPoints(Checks& checks)
+vtkSmartPointer<vtkPolyData> MakeSharedPoints()
 {
   vtkNew<vtkPoints> points;
   for (const TrajectoryPoint& point :
@@ -117,13 +118,19 @@ void TestSharedPoints(Checks& checks)
   vertices->InsertNextCell({ 5 });
   vtkNew<vtkCellArray> polygons;
   polygons->InsertNextCell({ 0, 1, 2 });
-  vtkNew<vtkPolyData> data;
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetVerts(vertices);
   data->SetLines(lines);
   data->SetPolys(polygons);
   AddPointArray(data, "p", { 10, 11, 12, 13, 14, 15 });
+  return data;
+}
 
+//------------------------------------------------------------------------------
+void TestSharedPoints(Checks& checks)
+{
+  const auto data = MakeSharedPoints();
   vtkNew<vtkTrajectoryAttributes> filter;
   filter->SetInputData(data);
   filter->Update();
@@ -154,6 +161,14 @@ void TestSharedPoints(Checks& checks)
   checks.True("the input is as before",
     data->GetNumberOfPoints() == 6 && !data->GetPointData()->HasArray("TurningAngle"));
 
+  data->BuildLinks();
+  filter->Modified();
+  filter->Update();
+  vtkNew<vtkIdList> cells;
+  output->GetPointCells(output->GetNumberOfPoints() - 1, cells);
+  checks.True(
+    "links are those of the output", cells->GetNumberOfIds() == 1 && cells->GetId(0) == 2);
+
   // The same points in another order are not shared.
   vtkNew<vtkCellArray> reversed;
   reversed->InsertNextCell({ 3, 2, 1, 0 });
@@ -161,6 +176,78 @@ void TestSharedPoints(Checks& checks)
   filter->Update();
   checks.True("not shared, not copied", output->GetPoints() == data->GetPoints());
   expect("SegmentPressureDifference", { 1, 1, 1, 1, MissingValue, MissingValue });
+}
+
+//------------------------------------------------------------------------------
+// Arrays of the input that an attribute replaces, or that are too short, where points are copied.
+void TestArraysOfSharedPoints(Checks& checks)
+{
+  const auto data = MakeSharedPoints();
+  AddPointArray(data, "SegmentLength", { 10, 11, 12, 13, 14, 15 });
+  AddPointArray(data, "Velocity", { 0, 1, 2, 3, 4, 5 });
+  vtkNew<vtkTrajectoryAttributes> filter;
+  filter->SetInputData(data);
+  filter->SetPressureArray("SegmentLength");
+  filter->SetTimeArray("Velocity");
+  filter->SetTimeWindow(1.0);
+  filter->Update();
+  vtkDataArray* total = filter->GetOutput()->GetCellData()->GetArray("TotalPressureDifference");
+  checks.True("pressure and time named after an attribute",
+    total->GetTuple1(1) == 1.0 && total->GetTuple1(2) == 1.0);
+
+  AddPointArray(data, "first", { 1 });
+  AddPointArray(data, "second", { 1, 2, 3, 4, 5 });
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  const std::string warning = observer->GetWarningMessage();
+  checks.True("arrays that are too short: " + warning,
+    Contains(warning,
+      "These arrays do not have a tuple for each point or cell, and are left out: 'first', "
+      "'second'.") &&
+      warning.find("Warning:") == warning.rfind("Warning:"));
+  vtkPointData* pointData = filter->GetOutput()->GetPointData();
+  checks.True("only these are left out",
+    !pointData->HasArray("first") && !pointData->HasArray("second") && pointData->HasArray("p"));
+}
+
+//------------------------------------------------------------------------------
+// A gap, or an edge of the map, divides a trajectory into several lines; a vertex comes before.
+void TestParts(Checks& checks)
+{
+  const auto data = MakeTrajectories({ { { 0, 0, 0 }, { 1, 0, 0 } }, { { 5, 0, 0 } }, {},
+    { { 6, 0, 0 }, { 7, 0, 0 } }, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } } });
+  AddPointArray(data, "pressure", { 900, 850, 700, MissingValue, 300, 500, 480, 440 });
+  AddPointArray(data, "time", { 0, 1, 2, 3, 4, 0, 1, 2 });
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  data->SetVerts(vertices);
+  const auto expect = [&](const char* what, double window, const std::vector<double>& values)
+  {
+    vtkNew<vtkTrajectoryAttributes> filter;
+    filter->SetInputData(data);
+    filter->SetTimeWindow(window);
+    filter->Update();
+    vtkDataArray* total = filter->GetOutput()->GetCellData()->GetArray("TotalPressureDifference");
+    for (std::size_t line = 0; line < values.size(); ++line)
+    {
+      const double found = total->GetTuple1(static_cast<vtkIdType>(line + 1));
+      checks.True(std::string(what) + " " + std::to_string(line) + ": " + std::to_string(found),
+        std::isnan(values[line]) ? std::isnan(found) : found == values[line]);
+    }
+  };
+  expect("without ids, line", 0.0, { 50, 0, MissingValue, 0, 60 });
+
+  vtkNew<vtkDoubleArray> ids;
+  ids->SetName("TrajectoryId");
+  data->GetCellData()->AddArray(ids);
+  for (const double id : { 4, 4, 4, 4, 4, 9 })
+  {
+    ids->InsertNextValue(id);
+  }
+  expect("all parts, line", 0.0, { 600, 600, 600, 600, 60 });
+  expect("window over parts, line", 2.0, { 400, 400, 400, 400, 60 });
+  expect("short window over parts, line", 1.0, { 150, 150, 150, 150, 40 });
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +368,8 @@ int TestTrajectoryAttributesPipeline(int, char*[])
   Checks checks;
   TestArrays(checks);
   TestSharedPoints(checks);
+  TestArraysOfSharedPoints(checks);
+  TestParts(checks);
   TestErrors(checks);
   TestPipeline(checks);
   return checks.Result();

@@ -3,7 +3,7 @@
 /**
  * vtkTrajectorySegments: counts in proportion to length, weights against an interpolation that is
  * written down plainly, lines of every degenerate kind, ids beyond 2^24, vertices, surfaces, shared
- * points, errors, progress, abort, and the same bits with any number of threads.
+ * points, composite data, errors, progress, abort, and the same bits with any number of threads.
  */
 
 #include "ReferenceTesting.h"
@@ -12,7 +12,9 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTrajectorySegments.h"
 
 #include <algorithm>
@@ -92,7 +94,7 @@ void TestWeights(Checks& checks)
     filter->SetInputData(MakeTrajectories(lines));
     filter->SetNumberOfSegments(wanted);
     filter->Update();
-    const Result result(filter->GetOutput());
+    const Result result(filter->GetPolyDataOutput());
     const double target = lengthOfAll / static_cast<double>(wanted);
     vtkIdType total = 0;
     vtkIdType point = 0;
@@ -144,8 +146,10 @@ void TestWeights(Checks& checks)
     checks.Near("wrong weights of " + std::to_string(wanted) + " segments", wrong, 0, 0);
     checks.True("the total is known",
       filter->GetTotalNumberOfSegments() == total &&
-        filter->GetOutput()->GetFieldData()->GetArray("TotalNumberOfSegments")->GetTuple1(0) ==
-          total);
+        filter->GetPolyDataOutput()
+            ->GetFieldData()
+            ->GetArray("TotalNumberOfSegments")
+            ->GetTuple1(0) == total);
     checks.True("about as many as wanted",
       std::abs(static_cast<double>(total - wanted)) <= static_cast<double>(lines.size()));
   }
@@ -179,7 +183,7 @@ void TestSpecialCells(Checks& checks)
   filter->SetInputData(data);
   filter->SetSegmentLength(1.0);
   filter->Update();
-  const Result result(filter->GetOutput());
+  const Result result(filter->GetPolyDataOutput());
   // Cells: two of vertices, the lines, the polygon.
   const std::vector<vtkIdType> counts = { 2, 1, 4, 1, 1, 1, 2, 0 };
   vtkIdType total = 0;
@@ -198,7 +202,7 @@ void TestSpecialCells(Checks& checks)
     checks.Near("base of point " + std::to_string(i), result.Base(id), bases[i], 0);
     checks.Near("weight of point " + std::to_string(i), result.Weight(id), i == 1 ? 0.5 : 0.0, 0);
   }
-  vtkPolyData* output = filter->GetOutput();
+  vtkPolyData* output = filter->GetPolyDataOutput();
   checks.Near("points with copies", output->GetNumberOfPoints(), 17, 0);
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
@@ -210,6 +214,48 @@ void TestSpecialCells(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// One target for all leaves, ids of each; a leaf of another class passes.
+void TestComposite(Checks& checks)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeTrajectories({ { { 0, 0, 0 }, { 3, 0, 0 } }, { { 0, 0, 0 } } }));
+  blocks->SetBlock(1, empty);
+  blocks->SetBlock(2, image);
+  blocks->SetBlock(4, MakeTrajectories({ { { 0, 0, 0 }, { 5, 0, 0 } } }));
+  vtkNew<vtkTrajectorySegments> filter;
+  filter->SetInputDataObject(blocks);
+  filter->SetNumberOfSegments(16);
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  const auto getLeaf = [&](unsigned int block)
+  { return vtkPolyData::SafeDownCast(output->GetBlock(block)); };
+  const auto getTotal = [&](unsigned int block)
+  { return getLeaf(block)->GetFieldData()->GetArray("TotalNumberOfSegments")->GetTuple1(0); };
+  const Result first(getLeaf(0));
+  const Result last(getLeaf(4));
+  checks.True(
+    "segments have one length", first.Count(0) == 6 && first.Count(1) == 1 && last.Count(0) == 10);
+  checks.True("segments are numbered from 0 in each leaf",
+    first.First(0) == 0 && first.First(1) == 6 && last.First(0) == 0 && last.Base(1) == 9);
+  checks.True("totals of each leaf, and of all",
+    getTotal(0) == 7 && getTotal(1) == 0 && getTotal(4) == 10 &&
+      filter->GetTotalNumberOfSegments() == 17);
+  checks.True("other leaves pass", vtkImageData::SafeDownCast(output->GetBlock(2)) != nullptr);
+  checks.True("the input is as before",
+    !vtkPolyData::SafeDownCast(blocks->GetBlock(0))->GetPointData()->HasArray("SegmentBase"));
+  const std::vector<double> progress = GetProgress(filter, false);
+  checks.True("progress does not go back",
+    progress.back() == 1.0 && std::is_sorted(progress.begin(), progress.end()));
+
+  // Each leaf could be numbered, but not both.
+  filter->SetSegmentLength(5.0 / 2e9);
+  checks.True("too many segments of all leaves",
+    Contains(GetUpdateErrors(filter), "would be 3.2e+09, but at most 2147483647 are possible."));
+}
+
+//------------------------------------------------------------------------------
 void TestLimits(Checks& checks)
 {
   // Two segments meet beyond 2^24 and are told apart.
@@ -218,7 +264,7 @@ void TestLimits(Checks& checks)
     { { 0, 0, 0 }, { 1.25, 0, 0 }, { 1.75, 0, 0 }, { 2, 0, 0 } } }));
   filter->SetSegmentLength(1.0);
   filter->Update();
-  const Result result(filter->GetOutput());
+  const Result result(filter->GetPolyDataOutput());
   checks.True("bases are exact",
     result.Base(1) == 99999999 && result.Base(3) == 100000000 && result.Base(4) == 100000001 &&
       result.Base(5) == 100000001);
@@ -269,7 +315,7 @@ void TestPipeline(Checks& checks)
   filter->SetInputData(MakeTrajectories(lines));
   filter->SetSegmentLength(1e5);
   filter->Update();
-  const Result result(filter->GetOutput());
+  const Result result(filter->GetPolyDataOutput());
   checks.Near("a long line is as long as its parts", result.Count(3000), 1, 0);
   filter->SetSegmentLength(1e-2);
   filter->Update();
@@ -278,13 +324,13 @@ void TestPipeline(Checks& checks)
   filter->SetSegmentLength(0.0);
   UpdateWithThreads(filter, 1);
   vtkNew<vtkPolyData> ofOneThread;
-  ofOneThread->ShallowCopy(filter->GetOutput());
+  ofOneThread->ShallowCopy(filter->GetPolyDataOutput());
   for (const int threads : { 2, 3 })
   {
     UpdateWithThreads(filter, threads);
     checks.True("same bits",
-      HaveSameBits(filter->GetOutput()->GetPointData(), ofOneThread->GetPointData()) &&
-        HaveSameBits(filter->GetOutput()->GetCellData(), ofOneThread->GetCellData()));
+      HaveSameBits(filter->GetPolyDataOutput()->GetPointData(), ofOneThread->GetPointData()) &&
+        HaveSameBits(filter->GetPolyDataOutput()->GetCellData(), ofOneThread->GetCellData()));
   }
   const std::vector<double> progress = GetProgress(filter, false);
   checks.True("progress goes from 0 to 1",
@@ -292,7 +338,7 @@ void TestPipeline(Checks& checks)
       std::is_sorted(progress.begin(), progress.end()));
   const std::vector<double> aborted = GetProgress(filter, true);
   checks.True("an abort stops the work, and leaves nothing half done",
-    aborted.size() <= 2 && filter->GetOutput()->GetNumberOfPoints() == 0);
+    aborted.size() <= 2 && filter->GetPolyDataOutput()->GetNumberOfPoints() == 0);
 }
 }
 
@@ -302,6 +348,7 @@ int TestTrajectorySegments(int, char*[])
   Checks checks;
   TestWeights(checks);
   TestSpecialCells(checks);
+  TestComposite(checks);
   TestLimits(checks);
   TestPipeline(checks);
   return checks.Result();

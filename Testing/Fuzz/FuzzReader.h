@@ -96,7 +96,7 @@ inline void FuzzReader(vtkTrajectoryReader* reader, const std::uint8_t* data, st
   const bool accepted = reader->CanReadFile(name.c_str());
   reader->SetFileName(name.c_str());
   reader->UpdateInformation();
-  reader->Update();
+  reader->UpdateTimeStep(1.0);
   if (reader->GetErrorCode() == vtkErrorCode::NoError)
   {
     Require(accepted, "what can be read is recognised");

@@ -57,23 +57,40 @@ def choose_entries(lines, arrays):
     return contents + bytes(reversed(choices))
 
 
+def with_properties(files):
+    """The files, each with the properties' defaults and with others behind it.
+
+    FuzzReader.cxx takes a byte from the end for each property, two for the central
+    longitude: 1, 104 for 0 degrees.
+    """
+    choices = {
+        "default": [0, 0, 0, 0, 1, 104, 0],
+        "cut": [0, 0, 0, 1, 1, 104, 1],
+        "height": [0, 1, 2, 0, 1, 104, 0],
+    }
+    return {f"{choice}-{name}": content + bytes(reversed(properties))
+            for name, content in files.items() for choice, properties in choices.items()}
+
+
 SEEDS = {
-    "vtkLagrantoNetCDFReader": {
+    "vtkLagrantoNetCDFReader": with_properties({
         "plain.nc": geographic.lagranto_netcdf(LON, LAT, PRESSURE, range(4)),
         "traced.nc": geographic.lagranto_netcdf(
             LON, LAT, PRESSURE, range(4), {"T": TEMPERATURE}, {"ref_year": ("i", [2011])}),
-    },
-    "vtkLagrantoReader": {
+    }),
+    "vtkLagrantoReader": with_properties({
         "plain.lsl": geographic.lagranto_text(ROWS),
         "old.lsl": geographic.lagranto_text(ROWS, title="time period 2006 131 18 UTC -120.00 h"),
-    },
-    "vtkMet3DReader": {
+    }),
+    "vtkMet3DReader": with_properties({
         "plain.nc": geographic.met3d(LON, LAT, PRESSURE),
         "members.nc": geographic.met3d(
             [LON, LON], [LAT, LAT], [PRESSURE, PRESSURE], version=2,
             extra={"temperature": ("f", None, [TEMPERATURE] * 2, {"auxiliary_data": "yes"})}),
         "doubles.nc": geographic.met3d(LON, LAT, PRESSURE, kind="d", version=5),
-    },
+        "height.nc": geographic.met3d(
+            LON, LAT, None, {"z": ("f", None, PRESSURE, {"units": "km"})}),
+    }),
     "vtkTRXReaderEntries": {"entries": choose_entries(LINES, ARRAYS)},
     "vtkMRtrixTracksReader": {
         "float.tck": tractograms.tck(LINES),
@@ -83,6 +100,8 @@ SEEDS = {
         "stored.trx": tractograms.trx(LINES, ARRAYS),
         "deflated.trx": tractograms.trx(
             LINES, ARRAYS, compression=zipfile.ZIP_DEFLATED, offset_type="uint64", last=True),
+        "equal-names.trx": tractograms.trx(
+            [], {f"dpv/a.{components}.uint8": [] for components in range(1, 500)}),
     },
     "vtkTrackVisReader": {
         "plain.trk": tractograms.trk(LINES),

@@ -15,6 +15,7 @@ from pellucid import (
     vtkLagrantoNetCDFReader,
     vtkLagrantoReader,
     vtkMet3DReader,
+    vtkTrajectoryAttributes,
     vtkTrajectoryReaderFactory,
 )
 from readers import (
@@ -70,6 +71,22 @@ class TestPacific(TestCase):
             line = [pressure.GetValue(ids.GetId(i)) for i in range(ids.GetNumberOfIds())]
             count += max(line) - min(line) > 500
         self.assertEqual(count, 24)
+
+    def test_rise_does_not_depend_on_the_map(self):
+        def rises(**properties):
+            attributes = vtkTrajectoryAttributes()
+            attributes.SetInputData(read(vtkMet3DReader, **properties)[0])
+            attributes.Update()
+            output = attributes.GetOutput()
+            return set(
+                zip(cells(output, "TrajectoryId"), cells(output, "TotalPressureDifference"))
+            )
+
+        expected = rises()
+        self.assertEqual(sum(rise > 500 for _, rise in expected), 24)
+        for longitude in range(-180, 180, 30):
+            found = rises(LongitudeMode=Base.CUT, CentralLongitude=longitude)
+            self.assertEqual(found, expected, longitude)
 
     def test_unwrap_and_cut(self):
         unwrapped = xs_of(read(vtkMet3DReader)[0])
@@ -264,6 +281,33 @@ class TestLines(TestCase):
         )
 
 
+    def test_great_heights(self):
+        height = {"z": ("f", None, [[1000, 3e38, 3000, -3e38]], {"units": "km"})}
+        output, messages = read(
+            vtkMet3DReader,
+            met3d([[1, 2, 3, 4]], [[0] * 4], None, height),
+            VerticalScale=10,
+        )
+        self.assertEqual([[z for _, _, z in line] for line in lines_of(output)], [[1e4], [3e4]])
+        self.assertEqual([event for event, _ in messages], ["WarningEvent"])
+        self.assertIn("2 positions have", messages[0][1])
+
+    def test_units_in_any_letters(self):
+        for unit, expected in [("hPa ", 500), (" HPA\n", 500), ("pa", 5), ("MBar", 500)]:
+            output, messages = read(
+                vtkMet3DReader,
+                met3d([[1]], [[1]], [[500]], pressure_attributes={"units": unit}),
+            )
+            self.assertEqual(messages, [])
+            self.assert_close(output.GetPoint(0), (1, 1, log_height(expected)))
+            self.assertEqual(units(output, "pressure"), unit.strip())
+        self.assert_error(
+            vtkMet3DReader,
+            met3d([[1]], [[1]], [[500]], pressure_attributes={"units": " kPa "}),
+            "the unit 'kPa' of 'pressure' is not known; expected one of hPa, mbar",
+        )
+
+
 class TestLongitudes(TestCase):
     def read_lines(self, lon, lat=None, **properties):
         lat = lat or [[0] * len(line) for line in lon]
@@ -355,10 +399,17 @@ class TestLongitudes(TestCase):
         self.assertEqual(xs_of(output), [[80, 90], [-270, -260, -240, -220]])
 
     def test_far_longitudes(self):
-        # Any number is an angle.
-        output = self.read_lines([[0, 36010, 1e30, 3e38]])
-        self.assertEqual(xs_of(output)[0][:2], [0, 10])
-        self.assertTrue(all(abs(x) < 1000 for x in xs_of(output)[0]))
+        output = self.read_lines([[-35990, -35981], [3610, 2], [0, 36000]])
+        self.assertEqual(xs_of(output), [[-35990, -35981], [3610, 3602], [0, 0]])
+        lon = [[10, 1e30, 12, 13], [36000.01, 1, -3e38, 2]]
+        for mode in (Base.UNWRAP, Base.CUT):
+            output, messages = read(
+                vtkMet3DReader, met3d(lon, [[0] * 4] * 2, [[500] * 4] * 2), LongitudeMode=mode
+            )
+            self.assertEqual(xs_of(output), [[10], [12, 13], [1], [2]])
+            self.assertEqual([event for event, _ in messages], ["WarningEvent"])
+            self.assertIn("3 positions have", messages[0][1])
+            self.assertIn("longitude beyond 36000 degrees", messages[0][1])
 
 
 class TestTimes(TestCase):
@@ -403,6 +454,18 @@ class TestTimes(TestCase):
         pathlib.Path(FILE).write_bytes(b"another file")
         reader.UpdateTimeStep(1)
         self.assertEqual(xs_of(reader.GetOutput()), [[1, 2]])
+
+    def test_what_is_opened_for_information_is_read(self):
+        reader = vtkMet3DReader()
+        pathlib.Path(FILE).write_bytes(met3d([[1, 2]], [[1, 2]], [[500, 500]]))
+        reader.SetFileName(FILE)
+        reader.UpdateInformation()
+        pathlib.Path(FILE).unlink()
+        pathlib.Path(FILE).write_bytes(b"another file")
+        reader.Update()
+        self.assertEqual(xs_of(reader.GetOutput()), [[1, 2]])
+        reader.Modified()
+        self.assert_error(reader, b"another file")
 
     def test_missing_and_repeated_times(self):
         reader = vtkMet3DReader()
@@ -462,6 +525,19 @@ class TestUntrusted(TestCase):
             lagranto_netcdf([[1]], [[1]], [[500]], [0]),
             "read it with vtkLagrantoNetCDFReader",
         )
+
+    def test_many_variables(self):
+        def make(count):
+            extra = {f"v{i}": ("b", ("trajectory",), [i % 100], {}) for i in range(count)}
+            return met3d([[1]], [[1]], [[500]], extra, order=("trajectory", "time"))
+
+        output, messages = read(vtkMet3DReader, make(4093))  # besides lon, lat, pressure
+        self.assertEqual(messages, [])
+        self.assertEqual(cells(output, "v4092"), [92])
+        self.assert_error(
+            vtkMet3DReader, make(4094), "at most 4096 arrays", "found more"
+        )
+        self.assertFalse(vtkMet3DReader().CanReadFile(FILE))
 
     def test_lying_sizes(self):
         # The length of the dimension `trajectory`, behind its name.

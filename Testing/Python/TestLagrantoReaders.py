@@ -70,8 +70,36 @@ class TestLagrantoNetCDF(TestCase):
             times([0, 1800, 3600], time_attributes=seconds),
             ([0, 1800, 3600], "seconds since 2011-01-01"),
         )
-        self.assertEqual(times([0, 0.75, 1.5]), ([0, 0.75, 1.5], "hours"))
-        self.assertEqual(times([0, 0.5, 1]), ([0, 50 / 60, 1], "hours"))
+        self.assertEqual(times([0, 0.3, 1]), ([0, 0.5, 1], "hours"))
+
+    def test_decimals_or_minutes(self):
+        for time, expected in [
+            ([0, 0.75, 1.5], None),
+            ([0, 0.5, 1], None),
+            ([0, -0.5, -1, -1.5], None),
+            ([0, 0.2, 0.4, 1], [0, 1 / 3, 2 / 3, 1]),
+            ([-1, -0.3, 0], [-1, -0.5, 0]),
+            ([0, 0.1, 0.2], [0, 1 / 6, 1 / 3]),  # as even in decimals
+            ([0, 0.5], [0, 5 / 6]),
+            ([0.05], [1 / 12]),
+            ([0, 6, 18], [0, 6, 18]),
+        ]:
+            zero = [0] * len(time)
+            pressure = [500] * len(time)
+            rows = list(zip(time, zero, zero, pressure))
+            for reader, content in [
+                (vtkLagrantoNetCDFReader, lagranto_netcdf([zero] * 2, [zero] * 2, [pressure] * 2,
+                                                          time)),
+                (vtkLagrantoReader, lagranto_text([rows, rows])),
+                (vtkLagrantoReader, lagranto_text([[row, row] for row in rows])),
+            ]:
+                output, messages = read(reader, content)
+                self.assert_close(sorted(points(output, "time")), sorted(2 * (expected or time)))
+                self.assertEqual(
+                    [event for event, _ in messages], [] if expected else ["WarningEvent"]
+                )
+                if messages:
+                    self.assertIn("taken as hours in decimals, not as hh.mm", messages[0][1])
 
     def test_height_and_dimension_names(self):
         output, messages = read(
@@ -149,14 +177,16 @@ class TestLagrantoText(TestCase):
                         (0, 1, 1, 500, "*******"),
                         (1, "-999.990", 1, -1000, "nan"),
                         (2, 3, 1, "+6e2", 5),
+                        (3, 4, "-1.5e-400", "6e2", "1e-310"),
                     ]
                 ],
                 self.NAMES,
             ),
         )
         self.assertEqual(messages, [])
-        self.assertEqual(xs_of(output), [[1], [3]])
-        self.assert_close(points(output, "TH"), [NAN, 5])
+        self.assertEqual(xs_of(output), [[1], [3, 4]])
+        self.assert_close(points(output, "TH"), [NAN, 5, 0])
+        self.assertEqual(points(output, "lat"), [1, 1, 0])
 
     def test_column_names(self):
         names = ("time", "lon", "lat", "z", "TH", "TH", "TH_2", "time")
@@ -205,11 +235,11 @@ class TestLagrantoText(TestCase):
         pathlib.Path(FILE).write_bytes(lagranto_text(self.ROWS * 500, self.NAMES))
         reader = vtkLagrantoReader()
         reader.SetFileName(FILE)
-        reader.UpdateInformation()
         seen = []
         reader.AddObserver("ProgressEvent", lambda *_: seen.append(reader.GetProgress()))
         reader.Update()
-        self.assertEqual(seen, sorted(seen))
+        seen.remove(0)  # by the pipeline, between the information and the data
+        self.assertEqual(seen, sorted(seen))  # the text is parsed once
         self.assertGreater(len(seen), 90)
         self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 2000)
         reader.Modified()

@@ -9,6 +9,7 @@ import unittest
 import numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
@@ -23,7 +24,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataWriter,
 )
 
-from render_program import BACKGROUND, DATA, RenderTest, make_lines, write
+from render_program import BACKGROUND, DATA, NEAR, RenderTest, make_lines, make_polylines, write
 
 FRONT = ("--camera-position", "0,0,10", "--focal-point", "0,0,0", "--view-up", "0,1,0")
 KEYS = [
@@ -84,6 +85,22 @@ class TestPicture(RenderTest):
         constant = self.draw_lines("--color-by", "Constant", "--radius", "0.05")
         self.assertFalse(numpy.array_equal(by_height, constant))
 
+    def test_color_range(self):
+        """A line keeps its colour whatever else is drawn."""
+        options = ("--radius", "0.1", "--opacity", "1", "--color-by", "Line")
+        only = ("--select", "Line:1:1")
+        whole = self.draw_lines(*options, "--color-range", "0:3")
+        some = self.draw_lines(*options, "--color-range", "0:3", *only)
+        self.assertTrue((some[20, 60] != BACKGROUND).any())
+        self.assertTrue(numpy.array_equal(whole[20, 60], some[20, 60]))
+        self.assertFalse(numpy.array_equal(whole[20, 60], self.draw_lines(*options, *only)[20, 60]))
+        self.assertGreater(whole[20, 60, 2], whole[20, 60, 0])  # a third of the range is cool
+        self.assertTrue(numpy.array_equal(
+            self.draw_lines(*options), self.draw_lines(*options, "--color-range", "0:1")))
+        write(vtkSTLWriter(), self.sphere, self.folder / "plain.stl")
+        self.refuse(1, "--color-range: there is no array", self.folder / "plain.stl",
+                    "--color-range", "0:1")
+
     def test_opacity_blends_in_depth_order(self):
         options = ("--radius", "0.1", "--lighting", "off")
         opaque = self.draw_lines("--opacity", "1", *options)
@@ -105,6 +122,14 @@ class TestPicture(RenderTest):
         ]
         self.assertGreater(covered[0], 100)
         self.assertGreater(covered[2], 3 * covered[1])
+
+    def test_numbers(self):
+        """Of any notation; what is too small for a double is 0."""
+        pictures = [self.draw_lines("--radius", text).tobytes()
+                    for text in ("0.1", "+.1", "1e-1", "0", "1e-999")]
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[2])
+        self.assertEqual(pictures[3], pictures[4])
 
     def test_lighting(self):
         shaded = self.draw_lines("--radius", "0.2", "--opacity", "1", "--lighting", "on")
@@ -186,6 +211,26 @@ class TestPicture(RenderTest):
                 self.assertEqual(statistics["fragments"], 0)
                 self.assertGreater(statistics["stages"]["render"], 0)
         self.assertFalse(numpy.array_equal(pictures["vtk"], pictures["pellucid"]))
+
+    def test_methods_color_other_cells_alike(self):
+        """The values of cells stay with theirs where lines become tubes."""
+        data = make_polylines(
+            (((-1, 0.5, 0), (1, 0.5, 0)), ((-1, 0.7, 0), (1, 0.7, 0))), (),
+            (("value", (0, 0, 0, 1)),))
+        squares = vtkCellArray()
+        for x in (-0.8, 0.2):
+            squares.InsertNextCell(4)
+            for corner in ((x, -0.6, 0), (x + 0.6, -0.6, 0), (x + 0.6, 0, 0), (x, 0, 0)):
+                squares.InsertCellPoint(data.GetPoints().InsertNextPoint(corner))
+        data.SetPolys(squares)
+        write(vtkPolyDataWriter(), data, self.folder / "squares.vtk", FileType=2)
+        options = (self.folder / "squares.vtk", "--size", "120x90", *NEAR, "--opacity", "1",
+                   "--lighting", "off", "--color-by", "value", "--radius", "0.02")
+        exact, _ = self.render(*options)
+        stock, _ = self.render(*options, "--method", "vtk")
+        for column in (40, 80):
+            self.assertLessEqual(abs(exact[57, column] - stock[57, column]).max(), 1, column)
+        self.assertGreater(abs(exact[57, 40] - exact[57, 80]).max(), 50)
 
     def test_compare(self):
         options = ("--radius", "0.05", "--background", "0,0,0")
@@ -405,6 +450,10 @@ class TestUsage(RenderTest):
             ("--opacity", "--opacity", "1.5"),
             ("--radius", "--radius", "-1"),
             ("--radius", "--radius", "inf"),
+            *(("--radius", "--radius", text) for text in ("", " 1", "1 ", "0x1", "1e999", "1e", ".")),
+            *(("--color-range", "--color-range=" + text)
+              for text in ("1", "1:1", "2:1", "a:1", ":", "0:", "0:nan", "0:1:2", "")),
+            ("and at most 1000000,", "--vertical-scale", "2e6"),
             ("--lighting", "--lighting", "maybe"),
             ("--camera-position", "--camera-position", "1,2"),
             ("--focal-point", "--focal-point", "a,b,c"),

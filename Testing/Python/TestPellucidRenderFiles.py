@@ -135,6 +135,14 @@ class TestReaderOptions(RenderTest):
         pressure = self.ranges("--vertical-axis", "pressure", "--vertical-scale", "1")[0][name]
         self.assertAlmostEqual(pressure[1], 0.3365, 4)
 
+    def test_units_of_the_map_are_told(self):
+        for file, expected in ((self.file, True), (self.lines, False),
+                               (DATA / "fornix.trk", False)):
+            text = "\n".join(self.list_arrays(file))
+            self.assertEqual("longitude" in text and "--vertical-scale" in text, expected, file)
+        row = self.table(self.list_arrays(self.file, "--height", "height"))["SegmentHeightDifference"]
+        self.assertEqual((row["maximum"], row["unit"]), ("2500", "m"))
+
     def test_longitudes(self):
         self.assertEqual(self.ranges()[1], 2)
         self.assertEqual(self.ranges("--longitudes", "cut")[1], 3)

@@ -7,7 +7,7 @@ import unittest
 
 import numpy
 import pellucid
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
@@ -212,6 +212,20 @@ class TestSelection(ImportanceTest):
             self.assertEqual(statistics["selected_lines"], expected, window)
 
 
+    def test_percentiles_of_nothing_are_told_once(self):
+        missing = self.folder / "missing.vtk"
+        write(vtkPolyDataWriter(), make_polylines(
+            self.positions, (("p", self.pressure.ravel()), ("none", numpy.nan * self.pressure.ravel())),
+            (("number", range(4)),)), missing, FileType=2)
+        for others in ((), ("--select", "number:10%:")):
+            result = self.run_program(missing, "-o", self.folder / "picture.png", "--select",
+                                      "none:5%:", *others)
+            self.assertEqual(result.returncode, 1)
+            warning, error = result.stderr.splitlines()
+            self.assertIn("no finite value to take percentiles of", warning)
+            self.assertIn("--select: leaves nothing to draw", error)
+
+
 class TestListing(ImportanceTest):
     def test_table(self):
         lines = self.list_arrays(self.file)
@@ -236,6 +250,43 @@ class TestListing(ImportanceTest):
         for axis, expected in (("x", 0.25), ("y", 0), ("z", 0)):
             row = self.table(self.list_arrays(self.file, "--up", axis))["SegmentHeightDifference"]
             self.assertAlmostEqual(float(row["maximum"]), expected, 6)
+
+    def test_height(self):
+        rows = self.table(self.list_arrays(self.file, "--height", "p"))
+        self.assertEqual(rows["SegmentHeightDifference"]["maximum"], "-12.5")
+        self.assertEqual(rows["SegmentHeightDifference"]["unit"], "hPa")
+        lines = self.list_arrays(self.file, self.lines, "--height", "p", "--up", "y")
+        row = self.table(lines[lines.index("") + 1:])["SegmentHeightDifference"]
+        self.assertEqual(row["maximum"], "2")
+
+    def test_numbers_of_any_size(self):
+        """Large and small ones are neither lost nor written with an exponent without need."""
+        data = make_polylines([[(0, 0, 0), (1, 0, 0)]], (
+            ("id", (100000, 2000000)), ("small", (0.1, -1e-4)), ("tiny", (1e-5, 1e20))))
+        for name, values in (("large", [1e300, 1e305]), ("long", [(1e200, 0), (0, -5e250)]),
+                             ("exact", [1e15, 999999999999999])):
+            array = numpy_to_vtk(numpy.array(values), deep=True)
+            array.SetName(name)
+            data.GetPointData().AddArray(array)
+        path = self.folder / "sizes.vtk"
+        write(vtkPolyDataWriter(), data, path, FileType=2)
+        rows = self.table(self.list_arrays(path))
+        for name, expected in (
+            ("id", ("100000", "2000000")), ("small", ("-0.0001", "0.1")), ("tiny", ("1e-05", "1e+20")),
+            ("large", ("1e+300", "1e+305")), ("long", ("1e+200", "5e+250")),
+            ("exact", ("999999999999999", "1e+15")),
+        ):
+            self.assertEqual((rows[name]["minimum"], rows[name]["maximum"]), expected)
+            self.assertEqual(rows[name]["missing"], "0")
+
+    def test_control_characters_do_not_reach_the_terminal(self):
+        name, unit = "r\x1b[31m\u00e9\x9b\x7fd", "\x07\u00b0C"
+        path = self.folder / "control.vtk"
+        write(vtkPolyDataWriter(), make_polylines(
+            self.positions, ((name, self.pressure.ravel()),), (), {name: unit}), path, FileType=2)
+        row = self.table(self.list_arrays(path))["r?[31m\u00e9???d"]
+        self.assertEqual(row["unit"], "?\u00b0C")
+        self.refuse(1, "r?[31m\u00e9???d (points)", path, "--color-by", "q")
 
     def test_arrays_of_the_file_come_first(self):
         """An array that bears the name of a computed one is not replaced."""
@@ -270,7 +321,7 @@ class TestRefusals(ImportanceTest):
     def test_unknown_arrays(self):
         existing = "TotalPressureDifference (lines, computed), TurningAngle (points, computed)"
         for arguments in (("--importance", "q:0:1"), ("--select", "q:0:"), ("--color-by", "q"),
-                          ("--pressure", "q"), ("--color-by", "Importance")):
+                          ("--pressure", "q"), ("--height", "q"), ("--color-by", "Importance")):
             with self.subTest(arguments=arguments):
                 self.refuse(1, existing, self.file, *arguments)
                 self.refuse(1, f"{arguments[0]}: there is no array", self.file, *arguments)
@@ -284,8 +335,21 @@ class TestRefusals(ImportanceTest):
             (self.folder / "sphere.ply", "TurningAngle", "lines;"),
         ):
             self.refuse(1, f"{name} is computed from {needs}", file, "--color-by", name)
-        self.refuse(1, "TimeWindow needs the time", self.file, "--time-window",
-                    "1", "--color-by", "TotalPressureDifference")
+        for name in ("TotalPressureDifference", "p"):
+            self.refuse(1, "--time-window: needs the time of the points", self.file,
+                        "--time-window", "1", "--color-by", name)
+
+    def test_time_in_another_input(self):
+        timed = self.folder / "without-pressure.vtk"
+        time = numpy.tile(numpy.arange(POINTS), 4)
+        write(vtkPolyDataWriter(), make_polylines(self.positions, (("Time", time),)), timed, FileType=2)
+        self.refuse(1, "--pressure names, and with time, for --time-window", self.file, timed,
+                    "--time-window", "1", "--color-by", "TotalPressureDifference")
+
+    def test_roles_are_of_points(self):
+        for option in ("--pressure", "--height"):
+            self.refuse(1, f"{option}: there is no array 'number' with numbers of the points",
+                        self.file, option, "number")
 
     def test_arrays_of_different_inputs(self):
         self.refuse(1, "no input has all of the arrays", self.file, self.lines,

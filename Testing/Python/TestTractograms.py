@@ -5,11 +5,15 @@
 
 import math
 import pathlib
+import resource
 import struct
+import sys
+import time
 import unittest
 import zipfile
 
 import numpy
+import readers
 import tractograms
 from tractograms import tck, trk, trx, trx_entries, zip_of
 from vtkmodules.test.Testing import VTK_DATA_ROOT, VTK_TEMP_DIR
@@ -28,7 +32,7 @@ POINTS = numpy.arange(1, 19).reshape(6, 3)
 WITH_EMPTY_LINE = [LINES[0], [], LINES[1]]
 
 
-def write(content, name="file"):
+def write(content, name):
     path = pathlib.Path(VTK_TEMP_DIR, name)
     path.write_bytes(content)
     return str(path)
@@ -40,22 +44,6 @@ def write_folder(entries, name):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
     return str(pathlib.Path(VTK_TEMP_DIR, name))
-
-
-def update(reader, path):
-    """The output and the messages, without the pipeline's own."""
-    messages = []
-
-    def note(_, event, text):
-        messages.append((event, text.split("): ", 1)[-1].strip()))
-
-    note.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", note)
-    reader.AddObserver("WarningEvent", note)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput(), messages
 
 
 def arrays_of(data):
@@ -72,31 +60,26 @@ def lines_of(output):
     return [list(ids[a:b]) for a, b in zip(offsets, offsets[1:])]
 
 
-class TestCase(unittest.TestCase):
+class TestCase(readers.TestCase):
     reader = None
 
     def read(self, content):
         """The output of a file that gives no message."""
-        path = content if isinstance(content, str) else write(content)
-        self.assertEqual(self.reader().CanReadFile(path), 1)
-        output, messages = update(self.reader(), path)
+        reader = self.reader()
+        output, messages = readers.read(reader, content)
         self.assertEqual(messages, [])
+        self.assertEqual(reader.CanReadFile(reader.GetFileName()), 1)
         return output
 
     def expect(self, content, message):
         """One error that says `message`, and an empty output."""
-        path = content if isinstance(content, str) else write(content)
         reader = self.reader()
-        output, messages = update(reader, path)
-        self.assertEqual([event for event, _ in messages], ["ErrorEvent"], messages)
-        self.assertIn(message, messages[0][1])
-        self.assertTrue(messages[0][1].startswith(path), messages)
+        self.assert_error(reader, content, message)
         self.assertNotEqual(reader.GetErrorCode(), 0)
-        self.assertEqual((output.GetNumberOfPoints(), output.GetNumberOfCells()), (0, 0))
 
     def warn(self, content, message):
         """The output of a file that gives one warning."""
-        output, messages = update(self.reader(), write(content))
+        output, messages = readers.read(self.reader, content)
         self.assertEqual([event for event, _ in messages], ["WarningEvent"], messages)
         self.assertIn(message, messages[0][1])
         return output
@@ -363,6 +346,18 @@ class TestTRX(TestCase):
         self.expect_lines(self.read(zip_of(entries)))
         self.expect_lines(self.read(zip_of({"./" + name: entries[name] for name in entries})))
 
+    def test_many_names(self):
+        """Names that are all taken cost little, and there are not too many."""
+        def content(count):  # with positions and offsets
+            return trx([], {f"dpv/a.{number}.uint8": [] for number in range(1, count - 1)})
+
+        begin = time.monotonic()
+        arrays = self.read(content(4096)).GetPointData()
+        self.assertLess(time.monotonic() - begin, 10)
+        names = [arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())]
+        self.assertEqual(set(names), {"a", *(f"a_{number}" for number in range(2, 4095))})
+        self.expect(content(4097), "expected at most 4096 arrays in it, found more")
+
     def test_warnings(self):
         entries = trx_entries(LINES)
         entries.update({"README.txt": b"", "other/a.uint8": b"123"})
@@ -427,9 +422,11 @@ class TestTRX(TestCase):
                 ("offsets.uint32", struct.pack("<3I", 0, 4, 3), "found 3 at number 2"),
                 ("offsets.uint32", struct.pack("<3I", 0, 4, 7), "found 7 at number 2"),
                 ("offsets.uint32", struct.pack("<4I", 0, 4, 5, 5), "found 5 at number 3"),
+                ("offsets.uint64", struct.pack("<3Q", 0, 2, 2**64 - 1),
+                 "found 18446744073709551615 at number 2"),
                 ("positions.3.float32", struct.pack("<18f", *range(17), math.inf),
                  "found NaN or infinity at point 2 of line 2")):
-            entries = trx_entries(LINES)
+            entries = trx_entries(LINES, offset_type="uint64" if name == "offsets.uint64" else "uint32")
             entries[name] = content
             with self.subTest(message=message):
                 self.expect(zip_of({name: entries[name] for name in entries if entries[name] is not None}),
@@ -466,6 +463,19 @@ class TestTRX(TestCase):
         self.expect(trx(LINES, twice).replace(b"dpv/b", b"dpv/a"),
                     "expected \"dpv/a.uint8\" in it once, found it twice")
 
+    def test_changed_folder(self):
+        arrays = {"dpv/a.uint8": range(6), "dpv/b.uint8": range(6), "groups/a.uint32": [0]}
+        folder = write_folder(trx_entries(LINES, arrays), "changed.trx")
+        pathlib.Path(folder, "groups/new.uint32").unlink(missing_ok=True)
+        reader = self.reader()
+
+        def change(caller, _):
+            if caller.GetProgress() > 0:
+                write_folder({"groups/new.uint32": b""}, "changed.trx")
+
+        reader.AddObserver("ProgressEvent", change)
+        self.assert_error(reader, folder, "\"groups/new.uint32\" in it was not there")
+
     def test_truncation(self):
         self.expect_truncations(trx(LINES, {"dps/a.uint8": range(3)}))
         self.expect_truncations(trx(LINES, compression=zipfile.ZIP_DEFLATED))
@@ -489,26 +499,54 @@ class TestRecognition(unittest.TestCase):
             for path in ("", VTK_TEMP_DIR, VTK_TEMP_DIR + "/none", None):
                 self.assertEqual(reader().CanReadFile(path), 0)
 
+    def test_folders_are_not_searched(self):
+        """Only header.json is looked for, whatever else a folder holds."""
+        def seconds(folder):
+            def once():
+                begin = time.perf_counter()
+                self.assertEqual(vtkTRXReader().CanReadFile(folder), int("header" in folder))
+                return time.perf_counter() - begin
+
+            return min(once() for _ in range(10))
+
+        entries = {f"dpv/{number}": b"" for number in range(3000)}
+        few, many, header = write_folder({"a": b""}, "few"), write_folder(entries, "many"), write_folder(
+            {**entries, **trx_entries(LINES)}, "header")
+        for folder in (many, header):
+            self.assertLess(seconds(folder), 10 * seconds(few) + 1e-3)
+
+    @unittest.skipUnless(sys.platform == "linux", "the limit is not the same elsewhere")
+    def test_without_memory(self):
+        path = write(zip_of({"header.json": b"[" * 2**20}), "a.trx")
+        pages = int(pathlib.Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+        limit, hard = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(
+            resource.RLIMIT_AS, (pages * resource.getpagesize() + 2**23, hard))
+        try:
+            readable = vtkTRXReader().CanReadFile(path)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+        self.assertEqual(readable, 0)
+
     def test_progress_and_abort(self):
         many = LINES * 400
         for reader, content in ((vtkTrackVisReader(), trk(many)), (vtkMRtrixTracksReader(), tck(many)),
                                 (vtkTRXReader(), trx(many))):
             progress = []
             reader.AddObserver("ProgressEvent", lambda caller, _: progress.append(caller.GetProgress()))
-            path = write(content)
-            output, messages = update(reader, path)
+            output, messages = readers.read(reader, content)
             self.assertEqual((output.GetNumberOfLines(), messages), (1200, []))
             self.assertEqual(progress, sorted(progress))
             self.assertEqual((progress[0], progress[-1]), (0, 1))
             self.assertLess(len(progress), 110)
             abort = reader.AddObserver("ProgressEvent", lambda caller, _: caller.AbortExecuteOn())
             reader.Modified()
-            output, messages = update(reader, path)
+            output, messages = readers.read(reader, content)
             self.assertEqual((output.GetNumberOfLines(), messages), (0, []))
             reader.RemoveObserver(abort)
             reader.AbortExecuteOff()
             reader.Modified()
-            self.assertEqual(update(reader, path)[0].GetNumberOfLines(), 1200)
+            self.assertEqual(readers.read(reader, content)[0].GetNumberOfLines(), 1200)
 
     def test_factory(self):
         for reader, content in self.FILES.items():

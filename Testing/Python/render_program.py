@@ -96,7 +96,7 @@ class RenderTest(unittest.TestCase):
         return subprocess.run(
             [PROGRAM, *map(str, arguments)],
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             timeout=120,
             env={**os.environ, **(environment or {})},
         )

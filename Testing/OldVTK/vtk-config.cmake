@@ -1,0 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+set(VTK_FOUND TRUE)
