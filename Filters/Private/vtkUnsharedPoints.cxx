@@ -4,93 +4,21 @@
 #include "vtkUnsharedPoints.h"
 
 #include "vtkPolylines.h"
+#include "vtkRequirePointIds.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-//------------------------------------------------------------------------------
-// The ids of a connectivity: their range, and whether each is greater than the one before.
-class IdSurvey
-{
-public:
-  explicit IdSurvey(vtkCellArray* cells)
-    : Cells(cells)
-  {
-    vtkSMPTools::For(0, cells->GetNumberOfConnectivityIds(), *this);
-  }
-
-  void Initialize() { this->LocalResult.Local() = Result(); }
-
-  void operator()(vtkIdType first, vtkIdType last)
-  {
-    Result& result = this->LocalResult.Local();
-    vtkPolylines::VisitIds(this->Cells,
-      [=, &result](const auto* ids)
-      {
-        vtkIdType previous = first > 0 ? ids[first - 1] : VTK_ID_MIN;
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          const vtkIdType id = ids[i];
-          result.Minimum = std::min(result.Minimum, id);
-          result.Maximum = std::max(result.Maximum, id);
-          result.Increasing = result.Increasing && previous < id;
-          previous = id;
-        }
-      });
-  }
-
-  void Reduce()
-  {
-    for (const Result& result : this->LocalResult)
-    {
-      this->Total.Minimum = std::min(this->Total.Minimum, result.Minimum);
-      this->Total.Maximum = std::max(this->Total.Maximum, result.Maximum);
-      this->Total.Increasing = this->Total.Increasing && result.Increasing;
-    }
-  }
-
-  struct Result
-  {
-    vtkIdType Minimum = VTK_ID_MAX;
-    vtkIdType Maximum = VTK_ID_MIN;
-    bool Increasing = true;
-  };
-  Result Total;
-
-private:
-  vtkCellArray* Cells;
-  vtkSMPThreadLocal<Result> LocalResult;
-};
-
-//------------------------------------------------------------------------------
-[[noreturn]] void ThrowBadId(vtkCellArray* cells, const char* kind, vtkIdType pointCount)
-{
-  const vtkPolylines lines(cells);
-  vtkIdType position = 0;
-  while (lines.GetId(position) >= 0 && lines.GetId(position) < pointCount)
-  {
-    ++position;
-  }
-  throw std::out_of_range(std::string(kind) + " " + std::to_string(lines.FindLine(position)) +
-    " uses the point " + std::to_string(lines.GetId(position)) +
-    ", but the input has the points 0 to " + std::to_string(pointCount - 1) +
-    ". Repair what makes this input.");
-}
-
 //------------------------------------------------------------------------------
 // Gives a new id to every use of a point but the first.
 class Copies
@@ -169,20 +97,11 @@ vtkSmartPointer<vtkPolyData> vtkUnsharedPoints::Make(vtkPolyData* input, Cells c
 {
   vtkNew<vtkCellArray> none;
   vtkCellArray* vertices = cells == LINES_AND_VERTICES ? input->GetVerts() : none.Get();
-  const IdSurvey::Result ofLines = IdSurvey(input->GetLines()).Total;
-  const IdSurvey::Result ofVertices = IdSurvey(vertices).Total;
-
   const vtkIdType pointCount = input->GetNumberOfPoints();
-  if (ofLines.Minimum < 0 || ofLines.Maximum >= pointCount)
-  {
-    ThrowBadId(input->GetLines(), "Line", pointCount);
-  }
-  if (ofVertices.Minimum < 0 || ofVertices.Maximum >= pointCount)
-  {
-    ThrowBadId(vertices, "Vertex cell", pointCount);
-  }
+  const vtkPointIdSurvey ofLines = vtkRequirePointIds(input->GetLines(), "Line", pointCount);
+  const vtkPointIdSurvey ofVertices = vtkRequirePointIds(vertices, "Vertex cell", pointCount);
   const bool apart = ofLines.Maximum < ofVertices.Minimum || ofVertices.Maximum < ofLines.Minimum;
-  if (ofLines.Increasing && ofVertices.Increasing && apart)
+  if (ofLines.IsIncreasing && ofVertices.IsIncreasing && apart)
   {
     return input;
   }
