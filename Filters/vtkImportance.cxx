@@ -4,22 +4,22 @@
 #include "vtkImportance.h"
 
 #include "Private/vtkBatches.h"
+#include "Private/vtkFillOutput.h"
+#include "Private/vtkForEachCell.h"
 #include "Private/vtkLeafCopies.h"
+#include "Private/vtkRequirePointIds.h"
 #include "Private/vtkScalarAttribute.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
 
@@ -42,6 +42,13 @@ struct vtkImportance::Criterion
   vtkScalarAttribute::Bound Minimum;
   vtkScalarAttribute::Bound Maximum;
   double Weight;
+
+  bool operator==(const Criterion& other) const
+  {
+    return this->ArrayName == other.ArrayName && this->Minimum == other.Minimum &&
+      this->Maximum == other.Maximum && this->Weight == other.Weight;
+  }
+
   std::array<double, 2> EffectiveRange = { std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN() };
 };
@@ -54,42 +61,15 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr vtkIdType BlockSize = 1024;
 
 //------------------------------------------------------------------------------
-// Call `function(cell, count, points)` for every cell. Of vtkPolyData the cell arrays are read one
-// after the other, which is the order of its cell data: GetCellPoints() would build a table of
-// cells.
-template <typename Function>
-void ForEachCell(vtkDataSet* data, Function&& function)
+// The mean, at each point, over the cells that use it; NaN where there is none. Incomplete when
+// aborted, which the next loop of the filter finds, too.
+vtkSmartPointer<vtkDataArray> AverageAtPoints(
+  vtkDataSet* data, vtkDataArray* cellArray, const vtkBatches& batches)
 {
-  vtkNew<vtkIdList> ids;
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  if (auto* polyData = vtkPolyData::SafeDownCast(data))
-  {
-    vtkIdType cell = 0;
-    for (vtkCellArray* cells :
-      { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips() })
-    {
-      for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-      {
-        cells->GetCellAtId(i, count, points, ids);
-        function(cell++, count, points);
-      }
-    }
-    return;
-  }
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    data->GetCellPoints(cell, count, points, ids);
-    function(cell, count, points);
-  }
-}
-
-//------------------------------------------------------------------------------
-// The mean, at each point, over the cells that use it; NaN where there is none.
-vtkSmartPointer<vtkDataArray> AverageAtPoints(vtkDataSet* data, vtkDataArray* cellArray)
-{
-  std::vector<double> cellValues(data->GetNumberOfCells());
-  vtkScalarAttribute::ForEach(cellArray, 0, data->GetNumberOfCells(),
+  vtkRequirePointIds(data);
+  const vtkIdType cellCount = data->GetNumberOfCells();
+  std::vector<double> cellValues(cellCount);
+  vtkScalarAttribute::ForEach(cellArray, 0, cellCount,
     [&cellValues](vtkIdType cell, double value) { cellValues[cell] = value; });
 
   struct Sum
@@ -99,24 +79,25 @@ vtkSmartPointer<vtkDataArray> AverageAtPoints(vtkDataSet* data, vtkDataArray* ce
     vtkIdType LastCell = -1; // A closed line names its first point twice.
   };
   std::vector<Sum> sums(data->GetNumberOfPoints());
-  ForEachCell(data,
-    [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
+  const auto add = [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
+  {
+    if (std::isnan(cellValues[cell]))
     {
-      if (std::isnan(cellValues[cell]))
+      return;
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      Sum& sum = sums[points[i]];
+      if (sum.LastCell != cell)
       {
-        return;
+        sum.Total += cellValues[cell];
+        ++sum.Count;
+        sum.LastCell = cell;
       }
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        Sum& sum = sums[points[i]];
-        if (sum.LastCell != cell)
-        {
-          sum.Total += cellValues[cell];
-          ++sum.Count;
-          sum.LastCell = cell;
-        }
-      }
-    });
+    }
+  };
+  batches.For(
+    cellCount, [&](vtkIdType begin, vtkIdType end) { vtkForEachCell(data, begin, end, add); });
 
   auto means = vtkSmartPointer<vtkDoubleArray>::New();
   means->SetNumberOfValues(data->GetNumberOfPoints());
@@ -124,14 +105,6 @@ vtkSmartPointer<vtkDataArray> AverageAtPoints(vtkDataSet* data, vtkDataArray* ce
     [](const Sum& sum)
     { return sum.Count > 0 ? sum.Total / static_cast<double>(sum.Count) : NotANumber; });
   return means;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> FindPointValues(
-  vtkDataSet* data, const vtkScalarAttribute::Location& location)
-{
-  return location.Array && location.OnCells ? AverageAtPoints(data, location.Array)
-                                            : vtkSmartPointer<vtkDataArray>(location.Array);
 }
 
 //------------------------------------------------------------------------------
@@ -315,10 +288,12 @@ vtkImportance::~vtkImportance() = default;
 int vtkImportance::AddCriterion(const char* arrayName, double minimum, double maximum,
   double weight, bool minimumIsPercentile, bool maximumIsPercentile)
 {
-  this->Criteria.push_back({ arrayName ? arrayName : "", { minimum, minimumIsPercentile },
-    { maximum, maximumIsPercentile }, std::min(std::max(weight, -1.0), 1.0) });
+  const int index = this->GetNumberOfCriteria();
+  this->Criteria.emplace_back();
   this->Modified();
-  return this->GetNumberOfCriteria() - 1;
+  this->SetCriterion(
+    index, arrayName, minimum, maximum, weight, minimumIsPercentile, maximumIsPercentile);
+  return index;
 }
 
 //------------------------------------------------------------------------------
@@ -331,9 +306,13 @@ void vtkImportance::SetCriterion(int index, const char* arrayName, double minimu
                                            << "; call AddCriterion().");
     return;
   }
-  this->AddCriterion(arrayName, minimum, maximum, weight, minimumIsPercentile, maximumIsPercentile);
-  std::swap(this->Criteria[index], this->Criteria.back());
-  this->Criteria.pop_back();
+  const Criterion criterion{ arrayName ? arrayName : "", { minimum, minimumIsPercentile },
+    { maximum, maximumIsPercentile }, weight };
+  if (!(criterion == this->Criteria[index]))
+  {
+    this->Criteria[index] = criterion;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -434,22 +413,8 @@ int vtkImportance::RequestData(vtkInformation* vtkNotUsed(request),
   {
     criterion.EffectiveRange.fill(NotANumber);
   }
-  bool success = true;
-  bool isComplete = false;
-  try
-  {
-    isComplete = this->Compute(vtkDataObject::GetData(inputVector[0]), output);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    vtkErrorMacro(<< error.what());
-    success = false;
-  }
-  if (!isComplete)
-  {
-    output->Initialize();
-  }
-  return success;
+  return vtkFillOutput(
+    this, output, [&] { return this->Compute(vtkDataObject::GetData(inputVector[0]), output); });
 }
 
 //------------------------------------------------------------------------------
@@ -467,10 +432,10 @@ std::vector<vtkScalarAttribute> vtkImportance::FindAttributes(vtkDataObject* inp
   for (Criterion& criterion : this->Criteria)
   {
     const std::string name = "the array '" + criterion.ArrayName + "'";
-    if (std::isnan(criterion.Weight))
+    if (!(std::abs(criterion.Weight) <= 1.0))
     {
-      throw std::invalid_argument(
-        "The weight of " + name + " is not a number; set one in [-1, 1].");
+      throw std::invalid_argument("The weight of " + name + " is " +
+        std::to_string(criterion.Weight) + "; set one in [-1, 1].");
     }
     attributes.emplace_back(input, criterion.ArrayName);
     const auto range = attributes.back().ComputeRange(criterion.Minimum, criterion.Maximum);
@@ -504,20 +469,29 @@ bool vtkImportance::Compute(vtkDataObject* input, vtkDataObject* output)
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     vtkDataSet* data = leaves[leaf].first;
+    const double fraction = 1.0 / static_cast<double>(leaves.size());
+    const vtkBatches batches(this, leaf * fraction, (leaf + 1) * fraction);
+    // A part of the progress for each array that has to come from the cells to the points.
+    const double part = 1.0 / static_cast<double>(attributes.size() + 1);
+    double done = 0.0;
     std::vector<PointCriterion> criteria;
     for (std::size_t i = 0; i < attributes.size(); ++i)
     {
-      const auto values = FindPointValues(data, attributes[i].Locate(data));
+      const auto location = attributes[i].Locate(data);
       const auto& range = this->Criteria[i].EffectiveRange;
-      if (values && !std::isnan(range[0]) && !std::isnan(range[1]))
+      if (location.Array && !std::isnan(range[0]) && !std::isnan(range[1]))
       {
+        vtkSmartPointer<vtkDataArray> values = location.Array;
+        if (location.OnCells)
+        {
+          values = AverageAtPoints(data, location.Array, batches.GetPart(done, done + part));
+          done += part;
+        }
         criteria.emplace_back(values, range, this->Criteria[i].Weight);
       }
     }
-    const double fraction = 1.0 / static_cast<double>(leaves.size());
-    const vtkBatches batches(this, leaf * fraction, (leaf + 1) * fraction);
     LeafImportance importance(data->GetNumberOfPoints(), this->NumberOfHistogramBins);
-    if (!importance.Compute(batches, criteria, function))
+    if (!importance.Compute(batches.GetPart(done, 1.0), criteria, function))
     {
       return false;
     }

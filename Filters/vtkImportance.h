@@ -37,14 +37,15 @@
  *   well. GetHistogram() is that of all leaves together.
  *
  * Errors, which leave an empty output: no criterion; an array that no leaf has (the message names
- * those that exist; data without points need none), of text, or too short; a bound, weight
- * or exponent that is infinite or NaN; a percentile outside of [0, 100]. Warnings: weights that add
- * up to 0; percentiles of an array without a finite value, which counts as missing everywhere.
+ * those that exist; data without points need none), of text, or too short; a bound or exponent
+ * that is infinite or NaN; a weight outside of [-1, 1], a percentile outside of [0, 100]; for a
+ * cell array, a cell that uses a point that does not exist. Warnings: weights that add up to 0;
+ * percentiles of an array without a finite value, which counts as missing everywhere.
  *
  * Cost: one parallel pass over the values, and the same bits with any number of threads. A
  * percentile costs a copy of its array in double precision, a cell array 32 bytes a point and one
  * serial pass over the cells. Progress is reported, and an abort, which leaves an empty output,
- * obeyed at about every hundredth of the points.
+ * obeyed at about every hundredth of the points and of the cells; percentiles are found before.
  *
  * @sa vtkTrajectorySelection
  */
@@ -79,11 +80,13 @@ public:
   ///@{
   /**
    * Add a criterion, or replace that of an index: the name of an array, the values of importance 0
-   * and 1 and the weight, clamped to [-1, 1]. Each bound is a value of the array or, where
+   * and 1 and the weight, in [-1, 1]. Each bound is a value of the array or, where
    * `...IsPercentile`, the percentile, 0 to 100, of its finite values in all leaves together
-   * (for a cell array: of the cells), so that blocks compare. Percentiles interpolate linearly
-   * between the values in order: percentile p of n values is at p / 100 (n - 1), counted from 0.
-   * AddCriterion() returns the index.
+   * (for a cell array: of the cells), so that blocks compare. In a distributed run each process has
+   * the percentiles of its own leaves; give values where processes are to compare. Percentiles
+   * interpolate linearly between the values in order: percentile p of n values is at
+   * p / 100 (n - 1), counted from 0. What is out of range is an error of the update. AddCriterion()
+   * returns the index.
    */
   int AddCriterion(const char* arrayName, double minimum, double maximum, double weight = 1.0,
     bool minimumIsPercentile = false, bool maximumIsPercentile = false);

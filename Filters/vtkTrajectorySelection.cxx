@@ -4,8 +4,13 @@
 #include "vtkTrajectorySelection.h"
 
 #include "Private/vtkBatches.h"
+#include "Private/vtkFillOutput.h"
+#include "Private/vtkForEachCell.h"
 #include "Private/vtkLeafCopies.h"
+#include "Private/vtkRequirePointIds.h"
 #include "Private/vtkScalarAttribute.h"
+#include "Private/vtkShortArrays.h"
+#include "Private/vtkTrajectoryParts.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -23,7 +28,8 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <stdexcept>
+#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -35,33 +41,37 @@ namespace
 {
 using ArrayPairs = std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>>;
 
-//------------------------------------------------------------------------------
-// Call `function(i, count, points)` for the cells of [begin, end), from any thread.
-template <typename Function>
-void ForEachCell(vtkCellArray* cells, vtkIdType begin, vtkIdType end, Function&& function)
+// On which side of the range values lie; of several values both bits may be set.
+enum Side : unsigned char
 {
-  vtkNew<vtkIdList> ids;
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  for (vtkIdType cell = begin; cell < end; ++cell)
-  {
-    cells->GetCellAtId(cell, count, points, ids);
-    function(cell, count, points);
-  }
+  Inside = 1,
+  Outside = 2
+};
+
+//------------------------------------------------------------------------------
+// The progress of one of the four kinds of cells.
+vtkBatches GetQuarter(const vtkBatches& batches, std::size_t kind)
+{
+  return batches.GetPart(0.25 * static_cast<double>(kind), 0.25 * static_cast<double>(kind + 1));
 }
 
 //------------------------------------------------------------------------------
-// Make the arrays of `to` those of `from`, with `count` tuples yet to be filled.
-ArrayPairs AllocateArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to, vtkIdType count)
+// Make the arrays of `to` those of `from`, with `newCount` tuples yet to be filled. Those that are
+// too short for `count` tuples stay behind, and are named in `left`.
+ArrayPairs AllocateArrays(vtkDataSetAttributes* from, vtkIdType count, vtkDataSetAttributes* to,
+  vtkIdType newCount, std::set<std::string>& left)
 {
+  const auto complete = vtk::TakeSmartPointer(from->NewInstance());
+  complete->ShallowCopy(from);
+  vtkRemoveShortArrays(complete, count, left);
   to->Initialize();
   to->CopyAllOn(vtkDataSetAttributes::COPYTUPLE);
-  to->CopyAllocate(from, count);
+  to->CopyAllocate(complete, newCount);
   ArrayPairs pairs;
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
-    to->GetAbstractArray(i)->SetNumberOfTuples(count);
-    pairs.emplace_back(from->GetAbstractArray(i), to->GetAbstractArray(i));
+    to->GetAbstractArray(i)->SetNumberOfTuples(newCount);
+    pairs.emplace_back(complete->GetAbstractArray(i), to->GetAbstractArray(i));
   }
   return pairs;
 }
@@ -133,12 +143,13 @@ public:
     , Batches(batches)
     , Kept(input->GetNumberOfLines(), 0)
   {
+    vtkRequirePointIds(input);
   }
 
   // Each step returns false when aborted.
   bool ChooseLines(const vtkScalarAttribute::Location& location, const std::array<double, 2>& range,
     bool allPoints);
-  bool RemoveOthers(vtkPolyData* output);
+  bool RemoveOthers(vtkPolyData* output, std::set<std::string>& leftArrays);
 
   vtkIdType GetNumberOfKeptLines() const
   {
@@ -148,10 +159,12 @@ public:
 private:
   using CellArrays = std::array<vtkCellArray*, 4>;
 
+  void KeepTrajectories(const std::vector<unsigned char>& lineSides, bool allPoints);
   bool FindDiscardedPoints();
-  bool CopyPoints(vtkPolyData* output);
-  bool CopyCells(vtkPolyData* output);
-  vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* cells, const std::vector<vtkIdType>& ids);
+  bool CopyPoints(vtkPolyData* output, std::set<std::string>& leftArrays);
+  bool CopyCells(vtkPolyData* output, std::set<std::string>& leftArrays);
+  vtkSmartPointer<vtkCellArray> Renumber(
+    vtkCellArray* cells, vtkIdType firstCell, const vtkBatches& batches, Runs& runs);
 
   CellArrays GetCells() const
   {
@@ -179,35 +192,61 @@ bool LineSelection::ChooseLines(
   {
     return true;
   }
-  const vtkIdType firstLine = this->Input->GetNumberOfVerts();
-  const auto lineCount = static_cast<vtkIdType>(this->Kept.size());
-  std::vector<unsigned char> isInRange(
+  std::vector<unsigned char> sides(
     location.OnCells ? this->Input->GetNumberOfCells() : this->Input->GetNumberOfPoints());
   const auto compare = [&](vtkIdType begin, vtkIdType end)
   {
     vtkScalarAttribute::ForEach(location.Array, begin, end,
-      [&](vtkIdType id, double value) { isInRange[id] = value >= range[0] && value <= range[1]; });
+      [&](vtkIdType id, double value)
+      { sides[id] = value >= range[0] && value <= range[1] ? Inside : Outside; });
   };
-  const auto choose = [&](vtkIdType begin, vtkIdType end)
+  const vtkIdType firstLine = this->Input->GetNumberOfVerts();
+  std::vector<unsigned char> lineSides(this->Kept.size(), 0);
+  const auto combine = [&](vtkIdType begin, vtkIdType end)
   {
-    const auto test = [&isInRange](vtkIdType point) { return isInRange[point] != 0; };
-    ForEachCell(this->Input->GetLines(), begin, end,
+    vtkForEachCell(this->Input->GetLines(), begin, end,
       [&](vtkIdType line, vtkIdType count, const vtkIdType* points)
       {
-        this->Kept[line] = location.OnCells ? isInRange[firstLine + line]
-          : allPoints                       ? count > 0 && std::all_of(points, points + count, test)
-                                            : std::any_of(points, points + count, test);
+        lineSides[line] = location.OnCells
+          ? sides[firstLine + line]
+          : std::accumulate(points, points + count, 0,
+              [&sides](int found, vtkIdType point) { return found | sides[point]; });
       });
   };
-  return this->Batches.GetPart(0.0, 0.1).ParallelFor(
-           static_cast<vtkIdType>(isInRange.size()), compare) &&
-    this->Batches.GetPart(0.1, 0.2).ParallelFor(lineCount, choose);
+  if (!this->Batches.GetPart(0.0, 0.1).ParallelFor(static_cast<vtkIdType>(sides.size()), compare) ||
+    !this->Batches.GetPart(0.1, 0.2).ParallelFor(static_cast<vtkIdType>(lineSides.size()), combine))
+  {
+    return false;
+  }
+  this->KeepTrajectories(lineSides, allPoints);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool LineSelection::RemoveOthers(vtkPolyData* output)
+// All parts of a trajectory, or none.
+void LineSelection::KeepTrajectories(const std::vector<unsigned char>& lineSides, bool allPoints)
 {
-  return this->FindDiscardedPoints() && this->CopyPoints(output) && this->CopyCells(output);
+  const std::vector<vtkIdType> firstLines = vtkFindTrajectories(this->Input);
+  for (std::size_t i = 0; i + 1 < firstLines.size(); ++i)
+  {
+    const auto sides = std::accumulate(lineSides.begin() + firstLines[i],
+      lineSides.begin() + firstLines[i + 1], 0, [](int found, int side) { return found | side; });
+    const bool isKept = allPoints ? sides == Inside : (sides & Inside) != 0;
+    std::fill(this->Kept.begin() + firstLines[i], this->Kept.begin() + firstLines[i + 1], isKept);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool LineSelection::RemoveOthers(vtkPolyData* output, std::set<std::string>& leftArrays)
+{
+  if (!this->FindDiscardedPoints() || !this->CopyPoints(output, leftArrays) ||
+    !this->CopyCells(output, leftArrays))
+  {
+    return false;
+  }
+  // Since VTK 9.4 a shallow copy has those of the input, which new points and cells do not remove.
+  output->DeleteLinks();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -220,7 +259,7 @@ bool LineSelection::FindDiscardedPoints()
     return batches.ParallelFor(cells->GetNumberOfCells(),
       [=](vtkIdType begin, vtkIdType end)
       {
-        ForEachCell(cells, begin, end,
+        vtkForEachCell(cells, begin, end,
           [=](vtkIdType cell, vtkIdType count, const vtkIdType* points)
           {
             const vtkIdType markCount = this->IsKept(cells, cell) == isKept ? count : 0;
@@ -232,23 +271,33 @@ bool LineSelection::FindDiscardedPoints()
       });
   };
   const CellArrays cells = this->GetCells();
-  return mark(this->Batches.GetPart(0.2, 0.3), this->Input->GetLines(), false) &&
-    std::all_of(cells.begin(), cells.end(),
-      [&](vtkCellArray* part) { return mark(this->Batches.GetPart(0.3, 0.4), part, true); });
+  bool isComplete = mark(this->Batches.GetPart(0.2, 0.25), this->Input->GetLines(), false);
+  for (std::size_t kind = 0; kind < cells.size() && isComplete; ++kind)
+  {
+    isComplete = mark(GetQuarter(this->Batches.GetPart(0.25, 0.35), kind), cells[kind], true);
+  }
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------
-bool LineSelection::CopyPoints(vtkPolyData* output)
+bool LineSelection::CopyPoints(vtkPolyData* output, std::set<std::string>& leftArrays)
 {
   Runs runs;
   const vtkIdType pointCount = this->Input->GetNumberOfPoints();
   this->NewPointIds->SetNumberOfValues(pointCount);
-  for (vtkIdType point = 0; point < pointCount; ++point)
+  const auto number = [&](vtkIdType begin, vtkIdType end)
   {
-    if (this->Discarded[point].load(std::memory_order_relaxed) == 0)
+    for (vtkIdType point = begin; point < end; ++point)
     {
-      this->NewPointIds->SetValue(point, runs.Append(point));
+      if (this->Discarded[point].load(std::memory_order_relaxed) == 0)
+      {
+        this->NewPointIds->SetValue(point, runs.Append(point));
+      }
     }
+  };
+  if (!this->Batches.GetPart(0.35, 0.4).For(pointCount, number))
+  {
+    return false;
   }
   if (!this->Input->GetPoints())
   {
@@ -259,61 +308,68 @@ bool LineSelection::CopyPoints(vtkPolyData* output)
   points->SetDataType(this->Input->GetPoints()->GetDataType());
   points->SetNumberOfPoints(runs.GetCount());
   output->SetPoints(points);
-  ArrayPairs pairs =
-    AllocateArrays(this->Input->GetPointData(), output->GetPointData(), runs.GetCount());
+  ArrayPairs pairs = AllocateArrays(
+    this->Input->GetPointData(), pointCount, output->GetPointData(), runs.GetCount(), leftArrays);
   pairs.emplace_back(this->Input->GetPoints()->GetData(), points->GetData());
   return CopyTuples(this->Batches.GetPart(0.4, 0.7), pairs, runs);
 }
 
 //------------------------------------------------------------------------------
-bool LineSelection::CopyCells(vtkPolyData* output)
+bool LineSelection::CopyCells(vtkPolyData* output, std::set<std::string>& leftArrays)
 {
   Runs runs;
   std::array<vtkSmartPointer<vtkCellArray>, 4> newCells;
   const CellArrays oldCells = this->GetCells();
-  vtkIdType firstCell = 0;
-  for (std::size_t part = 0; part < oldCells.size(); ++part)
+  vtkIdType cellCount = 0;
+  for (std::size_t kind = 0; kind < oldCells.size(); ++kind)
   {
-    std::vector<vtkIdType> ids;
-    for (vtkIdType cell = 0; cell < oldCells[part]->GetNumberOfCells(); ++cell)
-    {
-      if (this->IsKept(oldCells[part], cell))
-      {
-        ids.push_back(cell);
-        runs.Append(firstCell + cell);
-      }
-    }
-    firstCell += oldCells[part]->GetNumberOfCells();
-    newCells[part] = this->Renumber(oldCells[part], ids);
-    if (!newCells[part])
+    newCells[kind] = this->Renumber(
+      oldCells[kind], cellCount, GetQuarter(this->Batches.GetPart(0.7, 0.9), kind), runs);
+    if (!newCells[kind])
     {
       return false;
     }
+    cellCount += oldCells[kind]->GetNumberOfCells();
   }
   output->SetVerts(newCells[0]);
   output->SetLines(newCells[1]);
   output->SetPolys(newCells[2]);
   output->SetStrips(newCells[3]);
-  const ArrayPairs pairs =
-    AllocateArrays(this->Input->GetCellData(), output->GetCellData(), runs.GetCount());
+  const ArrayPairs pairs = AllocateArrays(
+    this->Input->GetCellData(), cellCount, output->GetCellData(), runs.GetCount(), leftArrays);
   return CopyTuples(this->Batches.GetPart(0.9, 1.0), pairs, runs);
 }
 
 //------------------------------------------------------------------------------
-// The cells of these ids with the new ids of their points; nullptr when aborted.
+// The cells that stay, with the new ids of their points; nullptr when aborted. `runs` gets their
+// ids, which begin at `firstCell`.
 vtkSmartPointer<vtkCellArray> LineSelection::Renumber(
-  vtkCellArray* cells, const std::vector<vtkIdType>& ids)
+  vtkCellArray* cells, vtkIdType firstCell, const vtkBatches& batches, Runs& runs)
 {
-  const auto count = static_cast<vtkIdType>(ids.size());
+  std::vector<vtkIdType> ids;
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  offsets->SetValue(0, 0);
-  for (vtkIdType i = 0; i < count; ++i)
+  offsets->InsertNextValue(0);
+  vtkIdType length = 0;
+  const auto gather = [&](vtkIdType begin, vtkIdType end)
   {
-    offsets->SetValue(i + 1, offsets->GetValue(i) + cells->GetCellSize(ids[i]));
+    for (vtkIdType cell = begin; cell < end; ++cell)
+    {
+      if (this->IsKept(cells, cell))
+      {
+        ids.push_back(cell);
+        runs.Append(firstCell + cell);
+        length += cells->GetCellSize(cell);
+        offsets->InsertNextValue(length);
+      }
+    }
+  };
+  if (!batches.GetPart(0.0, 0.3).For(cells->GetNumberOfCells(), gather))
+  {
+    return nullptr;
   }
+
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(offsets->GetValue(count));
+  connectivity->SetNumberOfValues(length);
   const vtkIdType* newPointIds = this->NewPointIds->GetPointer(0);
   const auto renumber = [&](vtkIdType begin, vtkIdType end)
   {
@@ -327,7 +383,7 @@ vtkSmartPointer<vtkCellArray> LineSelection::Renumber(
         [newPointIds](vtkIdType point) { return newPointIds[point]; });
     }
   };
-  if (!this->Batches.GetPart(0.7, 0.9).ParallelFor(count, renumber))
+  if (!batches.GetPart(0.3, 1.0).ParallelFor(static_cast<vtkIdType>(ids.size()), renumber))
   {
     return nullptr;
   }
@@ -353,22 +409,8 @@ int vtkTrajectorySelection::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   this->EffectiveMinimum = this->EffectiveMaximum = std::numeric_limits<double>::quiet_NaN();
   this->NumberOfLines = this->NumberOfSelectedLines = 0;
-  bool success = true;
-  bool isComplete = false;
-  try
-  {
-    isComplete = this->Select(vtkDataObject::GetData(inputVector[0]), output);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    vtkErrorMacro(<< error.what());
-    success = false;
-  }
-  if (!isComplete)
-  {
-    output->Initialize();
-  }
-  return success;
+  return vtkFillOutput(
+    this, output, [&] { return this->Select(vtkDataObject::GetData(inputVector[0]), output); });
 }
 
 //------------------------------------------------------------------------------
@@ -385,6 +427,7 @@ bool vtkTrajectorySelection::Select(vtkDataObject* input, vtkDataObject* output)
   this->EffectiveMinimum = range[0];
   this->EffectiveMaximum = range[1];
 
+  std::set<std::string> leftArrays;
   const auto leaves = vtkCopyLeaves(input, output);
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
@@ -403,10 +446,14 @@ bool vtkTrajectorySelection::Select(vtkDataObject* input, vtkDataObject* output)
     this->NumberOfLines += lines->GetNumberOfLines();
     this->NumberOfSelectedLines += keptCount;
     if (keptCount < lines->GetNumberOfLines() &&
-      !selection.RemoveOthers(vtkPolyData::SafeDownCast(leaves[leaf].second)))
+      !selection.RemoveOthers(vtkPolyData::SafeDownCast(leaves[leaf].second), leftArrays))
     {
       return false;
     }
+  }
+  if (!leftArrays.empty())
+  {
+    vtkWarningMacro(<< vtkDescribeShortArrays(leftArrays));
   }
   return true;
 }

@@ -2,34 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTrajectorySelection
- * @brief   Keep the lines whose values of one array lie in a range; whole lines, or none of them.
+ * @brief   Keep the trajectories whose values of one array lie in a range, whole or not at all.
  *
  * Input: vtkPolyData, or composite data, whose leaves of other classes pass. The array is searched
- * in the point data before the cell data. A cell array has one value for each line; of a point
- * array one value in the range is enough to keep a line, or, with AllPoints, all have to lie
- * there. Several criteria: several filters in a row.
+ * in the point data before the cell data. One value in the range is enough to keep a trajectory,
+ * or, with AllPoints, all have to lie there. Several criteria: several filters in a row.
+ *
+ * A trajectory is a line or, where the cell data has a "TrajectoryId" (one component), a run of
+ * successive lines with the same: readers split trajectories at gaps and at the edges of a map. All
+ * its lines are kept or discarded together, by the values of a point array at all their points, or
+ * of a cell array on each of them. Runs end with their leaf. Appending data may bring equal ids of
+ * two files next to each other; composite data keeps them apart.
  *
  * The line selection of Bandle 2016 ("Opacity-Based Rendering of Lagrangian Particle Trajectories
  * in Met.3D", section 3.3): discarded lines cost nothing downstream.
  *
  * - Minimum and Maximum belong to the range. With the minimum above the maximum it is empty.
- * - NaN, a missing value, never lies in the range. A line without points has no value, and in
- *   composite data a leaf without the array has none: their lines are discarded.
+ * - NaN, a missing value, never lies in the range. A trajectory without points has no value in a
+ *   point array, and in composite data a leaf without the array has none: they are discarded.
  * - Arrays of several components count by their magnitude.
  *
  * Output: the input without the discarded lines. The points that only they use leave with them;
  * everything else stays: vertices, polygons and strips, their points, points that nothing uses,
  * point and cell data, all in the order of the input. Where no line is discarded, points and
- * arrays are those of the input, by reference.
+ * arrays are those of the input, by reference. Where some are, arrays with too few tuples for the
+ * points or cells are left out, with a warning that names them.
  *
  * Errors, which leave an empty output: an array that no leaf has (the message names those that
  * exist; data without points need none), of text, or too short; a bound that is NaN; a percentile
- * outside of [0, 100]. A warning: percentiles of an array without a finite value, which select
- * nothing.
+ * outside of [0, 100]; a cell that uses a point that does not exist. A warning: percentiles of an
+ * array without a finite value, which select nothing.
  *
  * Cost: parallel passes over the values and the lines' points, and a copy of what stays. The result
  * does not depend on the number of threads. Progress is reported, and an abort, which leaves an
- * empty output, obeyed at about every hundredth of each pass.
+ * empty output, obeyed at about every hundredth of each pass; percentiles are found before.
  *
  * @sa vtkImportance
  */
@@ -76,7 +82,8 @@ public:
   ///@{
   /**
    * Whether Minimum or Maximum is a percentile, from 0 to 100, of the array's finite values in all
-   * leaves together, as in vtkImportance::AddCriterion(). Default is off.
+   * leaves together, as in vtkImportance::AddCriterion(): in a distributed run, those of each
+   * process for itself. Default is off.
    */
   vtkSetMacro(MinimumIsPercentile, bool);
   vtkGetMacro(MinimumIsPercentile, bool);
@@ -88,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Whether all values of a line have to lie in the range, or one is enough; point arrays only.
-   * Default is off: one is enough.
+   * Whether all values of a trajectory have to lie in the range, or one is enough. Default is off:
+   * one is enough.
    */
   vtkSetMacro(AllPoints, bool);
   vtkGetMacro(AllPoints, bool);

@@ -21,10 +21,11 @@
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 
-#include <array>  // for ranges
-#include <cmath>  // for std::sqrt
-#include <string> // for the name
-#include <vector> // for values
+#include <algorithm> // for std::max
+#include <array>     // for ranges
+#include <cmath>     // for magnitudes
+#include <string>    // for the name
+#include <vector>    // for values
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
@@ -45,6 +46,11 @@ public:
   {
     double Number;
     bool IsPercentile;
+
+    bool operator==(const Bound& other) const
+    {
+      return this->Number == other.Number && this->IsPercentile == other.IsPercentile;
+    }
   };
 
   /**
@@ -68,11 +74,43 @@ public:
   static void ForEach(vtkDataArray* array, vtkIdType begin, vtkIdType end, Function&& function);
 
 private:
+  template <typename Tuple>
+  static double ComputeMagnitude(const Tuple& tuple);
+
   std::vector<double> GetFiniteValues() const;
 
   vtkDataObject* Data;
   std::string Name;
 };
+
+//------------------------------------------------------------------------------
+template <typename Tuple>
+double vtkScalarAttribute::ComputeMagnitude(const Tuple& tuple)
+{
+  const auto sumSquares = [&tuple](double divisor)
+  {
+    double sum = 0.0;
+    for (const auto value : tuple)
+    {
+      const double component = static_cast<double>(value) / divisor;
+      sum += component * component;
+    }
+    return sum;
+  };
+  const double sum = sumSquares(1.0);
+  if (std::isnormal(sum) || std::isnan(sum))
+  {
+    return std::sqrt(sum);
+  }
+  // The squares overflow or underflow, unless all components are 0 or one is infinite.
+  double greatest = 0.0;
+  for (const auto value : tuple)
+  {
+    greatest = std::max(greatest, std::abs(static_cast<double>(value)));
+  }
+  return greatest == 0.0 || std::isinf(greatest) ? greatest
+                                                 : greatest * std::sqrt(sumSquares(greatest));
+}
 
 //------------------------------------------------------------------------------
 template <typename Function>
@@ -92,13 +130,7 @@ void vtkScalarAttribute::ForEach(
     }
     for (const auto tuple : vtk::DataArrayTupleRange(typed, begin, end))
     {
-      double sum = 0.0;
-      for (const auto value : tuple)
-      {
-        const double component = static_cast<double>(value);
-        sum += component * component;
-      }
-      function(id++, std::sqrt(sum));
+      function(id++, ComputeMagnitude(tuple));
     }
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, visit))

@@ -3,7 +3,7 @@
 /**
  * vtkImportance against closed forms and against its formula in double precision on random values
  * of all kinds: weights, reversal, steps, penalty, exponents, missing and infinite values,
- * percentiles, cell arrays, composite data, histograms, threads, messages.
+ * magnitudes, percentiles, cell arrays, composite data, histograms, threads, messages, progress.
  */
 
 #include "ImportanceTesting.h"
@@ -246,6 +246,24 @@ void TestReference(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// Neither squares that overflow nor squares that underflow spoil a magnitude.
+void TestMagnitudes(Checks& checks)
+{
+  for (const double scale : { 1e-300, 1e-160, 1.0, 1e160, 1e300 })
+  {
+    const auto data = MakePoints(6);
+    data->GetPointData()->AddArray(MakeArray("a",
+      { 3 * scale, -4 * scale, 0, 0, 0, 6 * scale, 0, 0, 0, -Infinity, scale, 0, Infinity,
+        NotANumber, scale, scale, scale, scale },
+      3));
+    const auto filter = MakeFilter(data, { { "a", 0, 10 * scale, 1 } });
+    CheckMessage(checks, filter, "");
+    CheckValues(checks, "magnitudes", GetImportance(filter->GetOutput()),
+      { 0.5, 0.6, 0, 1, 0, 0.1 * std::sqrt(3) });
+  }
+}
+
+//------------------------------------------------------------------------------
 // The values between which the percentiles p and q of `a` lie.
 Values GetRange(Checks& checks, const Values& a, double p, double q, const std::string& message)
 {
@@ -435,7 +453,17 @@ void TestMessages(Checks& checks)
   check({ { "short", 0, 1, 1 } }, "The array 'short' has 1 tuples for 2 points");
   check({ { "a", NotANumber, 1, 1 } }, "A bound for the array 'a' is not a number");
   check({ { "a", 0, Infinity, 1 } }, "A bound for the array 'a' is infinite");
-  check({ { "a", 0, 1, NotANumber } }, "The weight of the array 'a' is not a number");
+  check({ { "a", 0, 1, NotANumber } }, "The weight of the array 'a' is nan; set one in [-1, 1].");
+  check({ { "a", 0, 1, -1.5 } }, "The weight of the array 'a' is -1.5");
+
+  const auto lines = MakePoints(3);
+  lines->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
+  lines->GetCellData()->AddArray(MakeArray("c", { 0, 1 }));
+  lines->GetPointData()->AddArray(MakeArray("a", { 0, 1, 2 }));
+  CheckMessage(checks, MakeFilter(lines, { { "a", 0, 1, 1 } }), "");
+  const auto bad = MakeFilter(lines, { { "a", 0, 1, 1 }, { "c", 0, 1, 1 } });
+  CheckMessage(checks, bad, "Line 1 uses the point 3, but the input has the points 0 to 2");
+  checks.True("nothing after a bad id", bad->GetPolyDataOutput()->GetNumberOfPoints() == 0);
 
   const auto exponent = MakeFilter(data, { { "a", 0, 1, 1 } }, NotANumber);
   CheckMessage(checks, exponent, "The exponent is not a finite number");
@@ -455,8 +483,14 @@ void TestMessages(Checks& checks)
   checks.True("what was set",
     filter->GetNumberOfCriteria() == 1 && filter->GetCriterionArrayName(0) == std::string("a") &&
       filter->GetCriterionMinimum(0) == 4.0 && filter->GetCriterionMaximum(0) == 5.0 &&
-      filter->GetCriterionWeight(0) == -1.0 && filter->GetCriterionMinimumIsPercentile(0) &&
+      filter->GetCriterionWeight(0) == -6.0 && filter->GetCriterionMinimumIsPercentile(0) &&
       !filter->GetCriterionMaximumIsPercentile(0));
+  const vtkMTimeType time = filter->GetMTime();
+  filter->SetCriterion(0, "a", 4, 5, -6, true, false);
+  checks.True("the same again changes nothing", filter->GetMTime() == time);
+  filter->SetCriterion(0, "a", 4, 5, -6, true, true);
+  checks.True("another changes the filter", filter->GetMTime() > time);
+  filter->SetCriterion(0, "a", 4, 5, -6, true, false);
   checks.True("nothing outside",
     !filter->GetCriterionArrayName(1) && filter->GetCriterionMinimum(-1) == 0.0 &&
       filter->GetCriterionMaximum(1) == 0.0 && filter->GetCriterionWeight(1) == 0.0 &&
@@ -482,6 +516,21 @@ void TestProgress(Checks& checks)
   checks.True("importance after an update", !GetImportance(filter->GetOutput()).empty());
   checks.True("an abort stops early", CountProgress(filter, 0.3) < 9);
   checks.True("nothing after an abort", GetImportance(filter->GetOutput()).empty());
+
+  // Each array on cells has a part of it.
+  constexpr vtkIdType lineCount = 100000;
+  std::vector<std::vector<vtkIdType>> ids(lineCount);
+  for (vtkIdType line = 0; line < lineCount; ++line)
+  {
+    ids[line] = { 2 * line, 2 * line + 1 };
+  }
+  data->SetLines(MakeCells(ids));
+  data->GetCellData()->AddArray(MakeArray("c", Values(lineCount, 0.5)));
+  const auto onCells =
+    MakeFilter(data, { { "c", 0, 1, 1 }, { "floats", 0, 1, 1 }, { "c", 1, 0, 1 } });
+  checks.True("progress through cells", CountProgress(onCells, 2.0) > 20);
+  checks.True("an abort stops in the cells", CountProgress(onCells, 0.2) < 9);
+  checks.True("nothing after it", GetImportance(onCells->GetOutput()).empty());
 }
 }
 
@@ -491,6 +540,7 @@ int TestImportance(int, char*[])
   Checks checks;
   TestClosedForms(checks);
   TestReference(checks);
+  TestMagnitudes(checks);
   TestPercentiles(checks);
   TestHistogram(checks);
   TestCellArrays(checks);

@@ -3,13 +3,15 @@
 /**
  * vtkTrajectorySelection: which lines stay, by point and cell arrays, values and percentiles; that
  * their points and all data stay with them in order, and with everything that is not a line;
- * missing values, odd lines, composite data, threads, messages.
+ * trajectories of several lines, missing values, odd lines, composite data, threads, progress,
+ * messages.
  */
 
 #include "ImportanceTesting.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -176,6 +178,55 @@ void TestMissingValues(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// Trajectories in parts, after a vertex with the id of the first one.
+void TestTrajectoriesInParts(Checks& checks)
+{
+  const auto data = MakePoints(11);
+  data->SetVerts(MakeCells({ { 10 } }));
+  data->SetLines(MakeCells({ { 0, 1 }, {}, { 2, 3 }, { 4, 5 }, { 6, 7 }, { 8, 9 } }));
+  data->GetPointData()->AddArray(MakeArray("a", { 1, 1, 1, 5, 1, 1, 5, 5, 1, 1, 9 }));
+  data->GetCellData()->AddArray(MakeArray("c", { 9, 1, 5, 5, 1, 5, 1 }));
+  const auto check = [&](const char* name, double minimum, bool all, const Values& expected)
+  {
+    const auto filter = MakeFilter(data, name, minimum, 5);
+    filter->SetAllPoints(all);
+    CheckMessage(checks, filter, "");
+    const Values points = GetValues(filter->GetPolyDataOutput()->GetPoints()->GetData());
+    CheckValues(checks, std::string("points of parts by ") + name, points, expected, 0.0);
+  };
+  // The last two lines have one id, the fourth the same as the first three but not next to them.
+  data->GetCellData()->AddArray(MakeArray("TrajectoryId", { 7, 7, 7, 7, 3, 7, 7 }));
+  check("a", 5, false, { 0, 1, 2, 3, 6, 7, 8, 9, 10 });
+  check("a", 5, true, { 10 });
+  check("a", 1, true, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 });
+  check("c", 5, false, { 0, 1, 2, 3, 6, 7, 8, 9, 10 });
+  check("c", 5, true, { 10 });
+
+  // Without ids, or where some are missing, each line is for itself.
+  for (const Values& ids : { Values{ 7, 7 }, Values{} })
+  {
+    data->GetCellData()->AddArray(MakeArray("TrajectoryId", ids));
+    const auto filter = MakeFilter(data, "a", 5, 5);
+    filter->Update();
+    checks.True("single lines", filter->GetNumberOfSelectedLines() == 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestCellLinks(Checks& checks)
+{
+  const auto data = MakePoints(7);
+  data->SetLines(MakeCells({ { 0, 1 }, { 2, 3 }, { 4, 5, 6 } }));
+  data->GetCellData()->AddArray(MakeArray("c", { 1, 0, 1 }));
+  data->BuildLinks();
+  const auto filter = MakeFilter(data, "c", 1);
+  filter->Update();
+  vtkNew<vtkIdList> cells;
+  filter->GetPolyDataOutput()->GetPointCells(4, cells);
+  checks.True("cells of a point", cells->GetNumberOfIds() == 1 && cells->GetId(0) == 1);
+}
+
+//------------------------------------------------------------------------------
 void TestPercentiles(Checks& checks)
 {
   const auto data = MakePoints(5);
@@ -282,11 +333,6 @@ void TestRandomLines(Checks& checks)
         std::equal(values.begin(), values.end(), expectedPoints.begin(), expectedPoints.end(),
           [&](double value, double point) { return value == a[static_cast<std::size_t>(point)]; }));
     });
-
-  const auto filter = MakeFilter(data, "a", 0.95);
-  checks.True("progress is steady", CountProgress(filter, 2.0) > 20);
-  checks.True("an abort stops early", CountProgress(filter, 0.3) < 10);
-  checks.True("nothing after an abort", filter->GetPolyDataOutput()->GetNumberOfPoints() == 0);
 }
 
 //------------------------------------------------------------------------------
@@ -320,6 +366,42 @@ void TestComposite(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// Arrays that cannot be copied stay behind, with one warning for all leaves.
+void TestShortArrays(Checks& checks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    const auto data = MakeMixedData();
+    data->GetPointData()->AddArray(MakeArray("short", { 1, 2, 3 }));
+    data->GetPointData()->AddArray(MakeArray("long", Values(20, 1.0)));
+    data->GetPointData()->SetActiveScalars("short");
+    data->GetCellData()->AddArray(MakeArray("none", {}));
+    blocks->SetBlock(block, data);
+  }
+  const auto filter = MakeFilter(blocks, "x", 3);
+  const std::string messages = CollectMessages(filter, [&filter] { filter->Update(); });
+  const std::string expected =
+    "These arrays do not have a tuple for each point or cell, and are left out: 'none', 'short'.";
+  const std::size_t position = messages.find(expected);
+  checks.True("one warning in " + messages,
+    position != std::string::npos && messages.find("arrays", position + 10) == std::string::npos);
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    auto* leaf = vtkPolyData::SafeDownCast(
+      vtkMultiBlockDataSet::SafeDownCast(filter->GetOutput())->GetBlock(block));
+    checks.True("without the short arrays",
+      !leaf->GetPointData()->HasArray("short") && !leaf->GetCellData()->HasArray("none") &&
+        !leaf->GetPointData()->GetScalars());
+    CheckValues(checks, "the others", GetValues(leaf->GetPointData()->GetArray("x")),
+      { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 }, 0.0);
+    CheckValues(checks, "as long as the points", GetValues(leaf->GetPointData()->GetArray("long")),
+      Values(14, 1.0), 0.0);
+    checks.True("cell data", leaf->GetCellData()->GetArray("c")->GetNumberOfTuples() == 7);
+  }
+}
+
+//------------------------------------------------------------------------------
 void TestMessages(Checks& checks)
 {
   const auto data = MakeMixedData();
@@ -341,9 +423,34 @@ void TestMessages(Checks& checks)
   percentile->MinimumIsPercentileOn();
   check(percentile, "percentile -1");
 
+  for (const vtkIdType badId : { -1, 15 })
+  {
+    const auto bad = MakeMixedData();
+    bad->SetLines(MakeCells({ { 0, 1 }, { 2, badId }, { 3 }, { 4 }, { 5 } }));
+    check(MakeFilter(bad, "x", 2), "Line 1 uses the point " + std::to_string(badId));
+    check(MakeFilter(bad, "c", 0), "Line 1 uses the point " + std::to_string(badId));
+  }
+
   const auto empty = MakeFilter(vtkSmartPointer<vtkPolyData>::New(), "x", 0);
   check(empty, "");
   checks.True("no lines", empty->GetNumberOfLines() == 0);
+}
+
+//------------------------------------------------------------------------------
+void TestProgress(Checks& checks)
+{
+  // Many cells of two kinds.
+  const auto data = MakeRandomLines(100000, 50000);
+  data->SetPolys(data->GetLines());
+  data->GetCellData()->Initialize();
+  const auto filter = MakeFilter(data, "a", 0.95);
+  const int all = CountProgress(filter, 2.0);
+  checks.True("progress is steady", all > 40);
+  for (const double abortAt : { 0.05, 0.15, 0.22, 0.32, 0.38, 0.5, 0.76, 0.79, 0.95 })
+  {
+    checks.True("an abort at " + std::to_string(abortAt), CountProgress(filter, abortAt) < all);
+    checks.True("nothing after an abort", filter->GetPolyDataOutput()->GetNumberOfPoints() == 0);
+  }
 }
 }
 
@@ -353,9 +460,13 @@ int TestTrajectorySelection(int, char*[])
   Checks checks;
   TestMixedData(checks);
   TestMissingValues(checks);
+  TestTrajectoriesInParts(checks);
+  TestCellLinks(checks);
   TestPercentiles(checks);
   TestRandomLines(checks);
   TestComposite(checks);
+  TestShortArrays(checks);
   TestMessages(checks);
+  TestProgress(checks);
   return checks.Result();
 }

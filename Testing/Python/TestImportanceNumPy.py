@@ -1,16 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkImportance and vtkTrajectorySelection from Python, against numpy on random data."""
+"""vtkImportance and vtkTrajectorySelection from Python, against numpy on random data, and on the
+trajectories of a file.
+"""
 
 import unittest
 
 import numpy
+import readers
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from pellucid import vtkImportance, vtkTrajectorySelection
+from pellucid import vtkGeographicTrajectoryReader as Base
+from pellucid import vtkImportance, vtkMet3DReader, vtkTrajectorySelection
 
 PER_LINE = 20
 
@@ -122,6 +126,28 @@ class TestImportance(unittest.TestCase):
             numpy.clip(expected.ravel(), 0, 1),
             atol=1e-7,
         )
+
+    def select_ids(self, data, minimum, maximum, all_points):
+        selection = vtkTrajectorySelection()
+        selection.SetInputData(data)
+        selection.SetArrayName("pressure")
+        selection.SetMinimum(minimum)
+        selection.SetMaximum(maximum)
+        selection.SetAllPoints(all_points)
+        selection.Update()
+        return readers.cells(selection.GetOutput(), "TrajectoryId")
+
+    def test_the_same_trajectories_wherever_the_map_is_cut(self):
+        whole, _ = readers.read(vtkMet3DReader)
+        for bounds in ((0, 500, False), (500, 1100, True)):
+            selected = self.select_ids(whole, *bounds)
+            self.assertTrue(10 < len(selected) < whole.GetNumberOfLines() - 10)
+            for center in range(-180, 180, 30):
+                cut, _ = readers.read(
+                    vtkMet3DReader, LongitudeMode=Base.CUT, CentralLongitude=center
+                )
+                parts = [i for i in readers.cells(cut, "TrajectoryId") if i in selected]
+                self.assertEqual(self.select_ids(cut, *bounds), parts)
 
 
 if __name__ == "__main__":
