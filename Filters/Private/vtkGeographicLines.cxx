@@ -37,7 +37,8 @@ double Turn(double from, double to)
 // The two products cannot overflow, unlike the difference.
 double Blend(double a, double b, double fraction)
 {
-  return fraction == 0.0 ? a : (1.0 - fraction) * a + fraction * b;
+  // What has no part in it may be missing.
+  return fraction == 0.0 ? a : fraction == 1.0 ? b : (1.0 - fraction) * a + fraction * b;
 }
 }
 

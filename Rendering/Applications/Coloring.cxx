@@ -22,6 +22,7 @@ namespace pellucid
 namespace
 {
 constexpr int TableSize = 256;
+constexpr double MissingGray = 0.5;
 constexpr double OutlierShare = 0.01;     // of the values, at either end of the range
 constexpr vtkIdType SampleSize = 1000000; // values of an array that are looked at, about
 
@@ -123,6 +124,9 @@ vtkSmartPointer<vtkLookupTable> MakeTable(const NumberRange& range)
   }
   table->SetTableRange(range.data());
   table->SetVectorModeToMagnitude();
+  // VTK's own colour of missing values is a red like that of the greatest ones.
+  table->SetNanColor(MissingGray, MissingGray, MissingGray, 1.0);
+  table->BuildSpecialColors(); // a table of given colours is not built by itself
   return table;
 }
 }

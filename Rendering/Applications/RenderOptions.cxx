@@ -124,7 +124,8 @@ void AddImportanceOptions(CLI::App& app, RenderOptions& options)
     "Fade what is less important: MINIMUM of the array is importance 0, MAXIMUM 1, either a number "
     "or a percentile such as 5%; a vector counts by its length. Of several arrays the mean "
     "weighted "
-    "by WEIGHT, -1 to 1, counts; default 1. The importance is a factor on the opacity");
+    "by WEIGHT, -1 to 1, counts; default 1. MINIMUM above MAXIMUM makes small values important; a "
+    "negative weight takes away. The importance is a factor on the opacity");
   group.AddNumber("--exponent", options.Exponent, 0.0, OptionGroup::Unbounded, "E",
     "Power that the importance is raised to: above 1 more fades; default 1");
   group.AddRepeatable(

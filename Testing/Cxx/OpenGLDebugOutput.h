@@ -7,6 +7,7 @@
 #include "vtkOpenGLError.h" // for the OpenGL functions
 #include "vtkOpenGLRenderWindow.h"
 
+#include <cstring>
 #include <iostream>
 
 /**
@@ -57,6 +58,11 @@ public:
 private:
   void Receive(GLenum type, const char* message)
   {
+    // Advice about vtkOpenGLBufferObject, which puts changed arrays into buffers of that kind.
+    if (std::strstr(message, "to update a GL_STATIC_DRAW buffer"))
+    {
+      return;
+    }
     ++this->NumberOfMessages;
     if (!this->Quiet)
     {

@@ -388,6 +388,18 @@ class TestLongitudes(TestCase):
             ],
         )
 
+    def test_cut_at_a_position_beside_a_missing_value(self):
+        fill = {"_FillValue": ("f", [-999.99])}
+        content = met3d(
+            [[170, 175, -180, -175]],
+            [[0] * 4],
+            [[500] * 4],
+            {"T": ("f", None, [[280, 279, 278, -999.99]], fill)},
+        )
+        output, _ = read(vtkMet3DReader, content, LongitudeMode=Base.CUT)
+        self.assertEqual(xs_of(output), [[170, 175, 180], [-180, -175]])
+        self.assertEqual(str(points(output, "T")), str([280.0, 279.0, 278.0, 278.0, math.nan]))
+
     def test_cut_elsewhere(self):
         output = self.read_lines(
             [[170, 190, 350, 10]], LongitudeMode=Base.CUT, CentralLongitude=180

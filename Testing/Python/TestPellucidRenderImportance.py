@@ -356,5 +356,18 @@ class TestRefusals(ImportanceTest):
                     "--importance", "p:0:1", "--importance", "Height:0:1")
 
 
+class MissingValuesTest(RenderTest):
+    def test_missing_values_are_gray(self):
+        path = self.folder / "missing.vtk"
+        values = [0, numpy.nan, numpy.nan, 1]
+        data = make_polylines([[(x, 0, 0) for x in range(-3, 5, 2)]], (("a", values),))
+        write(vtkPolyDataWriter(), data, path, FileType=2)
+        picture, _ = self.render(
+            path, "--size", "160x120", "--color-by", "a", "--lighting", "off", "--opacity", "1",
+            "--camera-position", "0,0,6", "--focal-point", "0,0,0", "--view-up", "0,1,0",
+            "--radius", "0.5")
+        numpy.testing.assert_allclose(picture[60, 80][:3], 128, atol=1)
+
+
 if __name__ == "__main__":
     unittest.main()
