@@ -3,6 +3,8 @@
 
 #include "vtkGlobalOpacitySolver.h"
 
+#include "Private/vtkForEachCell.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -31,21 +33,6 @@ vtkCxxSetSmartPointerMacro(vtkGlobalOpacitySolver, Neighbors, vtkCellArray);
 namespace
 {
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, vtkIdType>;
-
-//------------------------------------------------------------------------------
-// Call `function` with the number of each cell, its size and its ids.
-template <typename Function>
-void ForEachCell(vtkCellArray* cells, Function&& function)
-{
-  vtkNew<vtkIdList> buffer;
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, size, ids, buffer);
-    function(cell, size, ids);
-  }
-}
 
 //------------------------------------------------------------------------------
 // Sums over the squares of the occlusion degrees h_ij, which are not kept: row i of their matrix is
@@ -105,7 +92,7 @@ private:
   {
     this->Lists.reserve(
       static_cast<std::size_t>(pixels->GetNumberOfConnectivityIds() + pixels->GetNumberOfCells()));
-    ForEachCell(pixels,
+    vtkForEachCell(pixels, 0, pixels->GetNumberOfCells(),
       [this](vtkIdType, vtkIdType size, const vtkIdType* segments)
       {
         this->Lists.insert(this->Lists.end(), segments, segments + size);
@@ -207,7 +194,7 @@ private:
 std::vector<std::pair<vtkIdType, vtkIdType>> ListNeighbors(vtkCellArray* neighbors)
 {
   std::vector<std::pair<vtkIdType, vtkIdType>> pairs;
-  ForEachCell(neighbors,
+  vtkForEachCell(neighbors, 0, neighbors->GetNumberOfCells(),
     [&pairs](vtkIdType segment, vtkIdType size, const vtkIdType* ids)
     {
       for (vtkIdType k = 0; k < size; ++k)
@@ -332,7 +319,7 @@ bool vtkGlobalOpacitySolver::CheckSegments(const char* name, const char* cell, v
   const vtkIdType segments = this->Importance->GetNumberOfTuples();
   vtkIdType wrongCell = -1;
   vtkIdType wrongSegment = -1;
-  ForEachCell(cells,
+  vtkForEachCell(cells, 0, cells->GetNumberOfCells(),
     [&](vtkIdType index, vtkIdType size, const vtkIdType* ids)
     {
       const auto* found = std::find_if(

@@ -18,6 +18,7 @@ from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from pellucid import vtkFieldStreamlines
+from readers import lines_of
 
 
 def make_image(velocity, dimensions=(17, 17, 17), name="Velocity"):
@@ -56,15 +57,6 @@ def trace(data, seeds=50, **properties):
     tracer.GetExecutive().AddObserver("ErrorEvent", note)
     tracer.Update()
     return tracer.GetOutput(), messages
-
-
-def lines_of(output):
-    """The points of every line."""
-    lines = []
-    for cell in range(output.GetNumberOfCells()):
-        ids = output.GetCell(cell).GetPointIds()
-        lines.append([output.GetPoint(ids.GetId(i)) for i in range(ids.GetNumberOfIds())])
-    return lines
 
 
 def bits_of(output):
