@@ -195,8 +195,7 @@ vtkSmartPointer<vtkFloatArray> vtkExactTransparencyPass::GetOptimizedOpacities(v
   auto result = vtkSmartPointer<vtkFloatArray>::New();
   for (const vtkOptimizedScene::Part& part : member->Parts)
   {
-    const std::uint32_t count = vtkOptimizedScene::CountSegments(part.Data);
-    for (std::uint32_t segment = 0; segment < count; ++segment)
+    for (std::uint32_t segment = 0; segment < part.NumberOfSegments; ++segment)
     {
       result->InsertNextValue(opacities[part.FirstSegment + segment]);
     }

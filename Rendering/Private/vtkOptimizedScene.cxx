@@ -166,6 +166,7 @@ void vtkOptimizedScene::AddSegments(vtkPolyData* data, std::uint32_t actor, Part
 {
   part.FirstSegment = static_cast<std::uint32_t>(this->ActorOfSegment.size());
   const std::uint32_t count = vtkOptimizedScene::CountSegments(data);
+  part.NumberOfSegments = count;
   this->ActorOfSegment.resize(part.FirstSegment + count, actor);
   if (GetLineSegments(data))
   {

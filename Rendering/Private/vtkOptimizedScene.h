@@ -43,8 +43,9 @@ public:
   /** Where the opacities of a part of an actor, one vtkPolyData, begin. */
   struct Part
   {
-    vtkPolyData* Data = nullptr;
+    vtkPolyData* Data = nullptr; ///< compared, never used: it may be gone
     std::uint32_t FirstSegment = 0;
+    std::uint32_t NumberOfSegments = 0;
     bool HasCorners = false;       ///< point 3 t + c is corner c of triangle t
     std::uint32_t FirstCorner = 0; ///< in GetCorners()
   };
