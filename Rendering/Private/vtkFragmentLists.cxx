@@ -5,6 +5,7 @@
 
 #include "vtkLongFragmentList.h"
 #include "vtkSMPTools.h"
+#include "vtkStorageBuffer.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,14 +27,6 @@ constexpr int GetNumberOfListLevels()
     ++levels;
   }
   return levels;
-}
-
-// An error that others left must not be taken for one of ours. There is one flag for each kind.
-void ForgetErrors()
-{
-  for (int kinds = 0; kinds < 8 && glGetError() != GL_NO_ERROR; ++kinds)
-  {
-  }
 }
 
 static_assert(sizeof(vtkIdType) == 8, "fragment counts need VTK_USE_64BIT_IDS");
@@ -112,15 +105,7 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
   {
     return true;
   }
-  if (!this->Handles[buffer])
-  {
-    glGenBuffers(1, &this->Handles[buffer]);
-  }
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[buffer]);
-  ForgetErrors();
-  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
-  const bool allocated = glGetError() != GL_OUT_OF_MEMORY;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  const bool allocated = vtkAllocateStorage(this->Handles[buffer], bytes, nullptr);
   this->Bytes[buffer] = allocated ? bytes : 0;
   return allocated;
 }

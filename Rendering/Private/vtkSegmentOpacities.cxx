@@ -12,6 +12,7 @@
 #include "vtkSegmentSmoothFS.h"
 #include "vtkSegmentTablesDec.h"
 #include "vtkShaderProgram.h"
+#include "vtkStorageBuffer.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -71,14 +72,9 @@ std::string vtkSegmentOpacities::GetShaderDefinitions()
 //------------------------------------------------------------------------------
 bool vtkSegmentOpacities::Allocate(Buffer buffer, vtkIdType bytes, const void* data)
 {
-  if (!this->Handles[buffer])
-  {
-    glGenBuffers(1, &this->Handles[buffer]);
-  }
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[buffer]);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, std::max<vtkIdType>(bytes, 4), data, GL_DYNAMIC_COPY);
-  const bool allocated = glGetError() != GL_OUT_OF_MEMORY;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  // An empty table cannot be bound.
+  const bool allocated =
+    vtkAllocateStorage(this->Handles[buffer], std::max<vtkIdType>(bytes, 4), data);
   this->Bytes[buffer] = allocated ? bytes : 0;
   return allocated;
 }
