@@ -762,6 +762,11 @@ void vtkExactTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
+  os << indent << "View: " << this->View << "\n";
+  os << indent << "Layer: " << this->Layer << "\n";
+  os << indent << "GatherScale: " << this->GatherScale << "\n";
+  os << indent << "FadeTime: " << this->FadeTime << " s\n";
+  os << indent << "FrameTime: " << this->FrameTime << " s\n";
   os << indent << "Statistics:\n";
   this->Statistics->PrintSelf(os, indent.GetNextIndent());
 }

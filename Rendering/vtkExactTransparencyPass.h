@@ -89,6 +89,75 @@ public:
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
+  /** What is shown of the translucent geometry. */
+  enum Views
+  {
+    VIEW_PICTURE = 0,
+    VIEW_OPACITY = 1,
+    VIEW_IMPORTANCE = 2,
+    VIEW_SEGMENTS = 3,
+    VIEW_LENGTH = 4,
+    VIEW_FIRST_LAYERS = 5,
+    VIEW_LAYER = 6
+  };
+
+  ///@{
+  /**
+   * To look into a picture (M. Pastyrik, Visualization of inner structure of complex 3D objects,
+   * 2015, has the last three). Default is VIEW_PICTURE, the picture itself. Four views show the
+   * nearest fragment of each pixel, opaque and unlit, in the colour of a number from 0 (black)
+   * through red and yellow to 1 (white):
+   * - VIEW_OPACITY: the factor on its opacity that follows from importance, 1 where nothing does;
+   * - VIEW_IMPORTANCE: its importance, 0 for actors without vtkImportanceDrivenOpacity;
+   * - VIEW_SEGMENTS: no number, but a colour for each segment whose opacity is optimised, black
+   *   for everything else;
+   * - VIEW_LENGTH: the fragments of the pixel, relative to the fullest one.
+   * Two composite, as in the picture, some of the fragments of each pixel:
+   * - VIEW_FIRST_LAYERS: the first #Layer ones;
+   * - VIEW_LAYER: number #Layer alone.
+   */
+  vtkSetClampMacro(View, int, VIEW_PICTURE, VIEW_LAYER);
+  vtkGetMacro(View, int);
+  ///@}
+
+  ///@{
+  /** Layers of the last two views, counted from 1, the nearest. Default is 1. */
+  vtkSetClampMacro(Layer, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Layer, int);
+  ///@}
+
+  ///@{
+  /**
+   * Optimised opacities (vtkOpacityOptimization) are found in a picture of 1/GatherScale of the
+   * width and height, 1 (the default) to 4. Above 1 the geometry is drawn twice, small and
+   * large; what covers less than such a pixel may be missed, and then shows with the opacity that
+   * its neighbours on the line or surface have.
+   */
+  vtkSetClampMacro(GatherScale, int, 1, 4);
+  vtkGetMacro(GatherScale, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds in which optimised opacities come nearer to those of a new view, or new parameters, by
+   * a factor of e, whatever the frame rate; at least 0. At 0, the default, each frame shows its own
+   * opacities at once, as batch jobs and screenshots want it. Otherwise
+   * vtkTransparencyStatistics::GetFading() tells whether it takes more frames to get there; after 8
+   * times this without a change the opacities are the very same.
+   */
+  vtkSetClampMacro(FadeTime, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FadeTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Time of the next frame in seconds, for the fade: that of the film which the frame is for, or,
+   * negative as by default, that of the clock.
+   */
+  vtkSetMacro(FrameTime, double);
+  vtkGetMacro(FrameTime, double);
+  ///@}
+
   /**
    * The opacities of the segments of an actor (see vtkOpacityOptimization) that the last frame was
    * drawn with, smoothed: one component in [0,1], or -1 for a segment that no fragment has shown.
@@ -160,6 +229,11 @@ private:
   void BlendOtherProps(const vtkRenderState* state);
 
   int MemoryLimit = 1024;
+  int View = VIEW_PICTURE;
+  int Layer = 1;
+  int GatherScale = 1;
+  double FadeTime = 0.0;
+  double FrameTime = -1.0;
   vtkNew<vtkTransparencyStatistics> Statistics;
 
   std::unique_ptr<Internals> Internal;

@@ -3,60 +3,69 @@
 
 #include "vtkOpacityOptimization.h"
 
-#include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseKey.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+
+#include <array>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkOpacityOptimization);
-vtkInformationKeyMacro(vtkOpacityOptimization, KEY, ObjectBase);
 
-//------------------------------------------------------------------------------
-vtkOpacityOptimization::vtkOpacityOptimization()
+namespace
 {
-  this->SetImportanceArray("Importance");
+struct Preset
+{
+  const char* Name;
+  double OcclusionWeight;
+  double ClutterWeight;
+  double Emphasis;
+  int SmoothingIterations;
+};
+
+constexpr std::array<Preset, 5> Presets{ { { "balanced", 50.0, 100.0, 3.0, 5 },
+  { "clear-front", 400.0, 50.0, 4.0, 5 }, { "focus", 1000.0, 50.0, 3.5, 50 },
+  { "clear-back", 50.0, 400.0, 2.0, 15 }, { "points", 200.0, 50.0, 3.0, 0 } } };
 }
 
 //------------------------------------------------------------------------------
-vtkOpacityOptimization::~vtkOpacityOptimization()
+int vtkOpacityOptimization::GetNumberOfPresets()
 {
-  this->SetImportanceArray(nullptr);
+  return static_cast<int>(Presets.size());
 }
 
 //------------------------------------------------------------------------------
-void vtkOpacityOptimization::Attach(vtkActor* actor, vtkOpacityOptimization* optimization)
+const char* vtkOpacityOptimization::GetPresetName(int preset)
 {
-  if (!actor || vtkOpacityOptimization::Get(actor) == optimization)
+  return preset >= 0 && preset < vtkOpacityOptimization::GetNumberOfPresets() ? Presets[preset].Name
+                                                                              : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpacityOptimization::UsePreset(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  std::string known;
+  for (const Preset& preset : Presets)
   {
-    return;
+    if (wanted == preset.Name)
+    {
+      this->SetOcclusionWeight(preset.OcclusionWeight);
+      this->SetClutterWeight(preset.ClutterWeight);
+      this->SetEmphasis(preset.Emphasis);
+      this->SetSmoothingIterations(preset.SmoothingIterations);
+      return true;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(preset.Name);
   }
-  if (!actor->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    actor->SetPropertyKeys(keys);
-  }
-  actor->GetPropertyKeys()->Set(vtkOpacityOptimization::KEY(), optimization);
-  actor->SetForceTranslucent(optimization != nullptr);
-  actor->Modified();
-}
-
-//------------------------------------------------------------------------------
-vtkOpacityOptimization* vtkOpacityOptimization::Get(vtkProp* prop)
-{
-  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  return keys ? vtkOpacityOptimization::SafeDownCast(keys->Get(vtkOpacityOptimization::KEY()))
-              : nullptr;
+  vtkErrorMacro("There is no preset \"" << wanted << "\". Use one of: " << known << ".");
+  return false;
 }
 
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ImportanceArray: " << (this->ImportanceArray ? this->ImportanceArray : "(none)")
-     << "\n";
   os << indent << "OcclusionWeight: " << this->OcclusionWeight << "\n";
   os << indent << "ClutterWeight: " << this->ClutterWeight << "\n";
   os << indent << "Emphasis: " << this->Emphasis << "\n";

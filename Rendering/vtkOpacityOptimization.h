@@ -12,8 +12,7 @@
  *
  * where g is the importance of the fragment, in [0,1], and the sums are over the fragments of all
  * actors that take part. Parameters belong to the fragment's own actor, so each actor may have its
- * own. An actor without a vtkOpacityOptimization keeps its opacity, and counts as unimportant. The
- * optimised opacity multiplies the one that colour map and property give.
+ * own.
  *
  * Each segment of a line or patch of a surface takes the least opacity of its fragments; these are
  * smoothed along lines and surfaces and interpolated between the middles of the segments (section
@@ -25,49 +24,38 @@
  *
  * The opacities do not depend on the distance of the camera beyond the sampling by pixels.
  *
- * @sa vtkExactTransparencyPass vtkImportance vtkTrajectorySegments
+ * @sa vtkOcclusionAvoidance vtkExactTransparencyPass vtkImportance vtkTrajectorySegments
+ * vtkSurfaceSegments
  */
 
 #ifndef vtkOpacityOptimization_h
 #define vtkOpacityOptimization_h
 
-#include "vtkObject.h"
+#include "vtkImportanceDrivenOpacity.h"
 #include "vtkPellucidRenderingModule.h" // for the export macro
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkActor;
-class vtkInformationObjectBaseKey;
-class vtkProp;
-
-class VTKPELLUCIDRENDERING_EXPORT vtkOpacityOptimization : public vtkObject
+class VTKPELLUCIDRENDERING_EXPORT vtkOpacityOptimization : public vtkImportanceDrivenOpacity
 {
 public:
   static vtkOpacityOptimization* New();
-  vtkTypeMacro(vtkOpacityOptimization, vtkObject);
+  vtkTypeMacro(vtkOpacityOptimization, vtkImportanceDrivenOpacity);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Optimise the opacities of an actor from the next frame on, with these parameters; null ends it.
-   * Several actors may share the parameters. The actor is drawn as a translucent one for that time
-   * (vtkActor::ForceTranslucentOn()).
-   */
-  static void Attach(vtkActor* actor, vtkOpacityOptimization* optimization);
-
-  /** The parameters of an actor; null where it takes no part. */
-  static vtkOpacityOptimization* Get(vtkProp* prop);
-
-  /** Where the parameters live: in vtkProp::GetPropertyKeys(). */
-  static vtkInformationObjectBaseKey* KEY();
 
   ///@{
   /**
-   * Name of the point array of one component that holds the importance in [0,1]; values outside are
-   * clamped, and NaN counts as 0. Default is "Importance", as vtkImportance makes it. Data that
-   * lacks it has importance 0, with a warning.
+   * Settings with names. UsePreset() sets the four parameters below; another name is an error that
+   * lists the known ones, changes nothing and gives false. In the order q, r, lambda, s:
+   * - "balanced": 50, 100, 3, 5, the defaults; clouds and streamlines in the paper (figure 6);
+   * - "clear-front": 400, 50, 4, 5: more of what hides goes; pathways of trace gases (figure 7);
+   * - "focus": 1000, 50, 3.5, 50: little but the important stays; a tornado (figure 10);
+   * - "clear-back": 50, 400, 2, 15: a quiet background; knotted field lines (figure 8);
+   * - "points": 200, 50, 3, 0: particles, which have no neighbours to smooth over (figure 11).
    */
-  vtkSetStringMacro(ImportanceArray);
-  vtkGetStringMacro(ImportanceArray);
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int preset);
+  bool UsePreset(const char* name);
   ///@}
 
   ///@{
@@ -118,14 +106,13 @@ public:
   ///@}
 
 protected:
-  vtkOpacityOptimization();
-  ~vtkOpacityOptimization() override;
+  vtkOpacityOptimization() = default;
+  ~vtkOpacityOptimization() override = default;
 
 private:
   vtkOpacityOptimization(const vtkOpacityOptimization&) = delete;
   void operator=(const vtkOpacityOptimization&) = delete;
 
-  char* ImportanceArray = nullptr;
   double OcclusionWeight = 50.0;
   double ClutterWeight = 100.0;
   double Emphasis = 3.0;

@@ -238,6 +238,9 @@ void vtkReferenceRenderer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Renderer << "\n"
      << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n"
      << indent << "TransparentBackground: " << this->TransparentBackground << "\n"
+     << indent << "View: " << this->View << "\n"
+     << indent << "Layer: " << this->Layer << "\n"
+     << indent << "GatherScale: " << this->GatherScale << "\n"
      << indent << "NumberOfFragments: " << this->GetNumberOfFragments() << "\n"
      << indent << "LongestList: " << this->GetLongestList() << "\n";
 }

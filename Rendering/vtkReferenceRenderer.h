@@ -80,6 +80,21 @@ public:
   vtkBooleanMacro(TransparentBackground, bool);
   ///@}
 
+  ///@{
+  /** What is shown, and the layer that goes with it: vtkExactTransparencyPass::Views. Default: the
+   * picture. */
+  vtkSetClampMacro(View, int, 0, 6);
+  vtkGetMacro(View, int);
+  vtkSetClampMacro(Layer, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Layer, int);
+  ///@}
+
+  ///@{
+  /** Resolution at which opacities are optimised: vtkExactTransparencyPass::SetGatherScale(). */
+  vtkSetClampMacro(GatherScale, int, 1, 4);
+  vtkGetMacro(GatherScale, int);
+  ///@}
+
   /** Render the scene as it is now. Everything below belongs to the last call; without a renderer,
    * or with a size that is not positive, it reports an error and leaves no image. */
   void Update();
@@ -120,6 +135,9 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   int Size[2] = { 300, 300 };
   bool TransparentBackground = false;
+  int View = 0;
+  int Layer = 1;
+  int GatherScale = 1;
 };
 
 VTK_ABI_NAMESPACE_END

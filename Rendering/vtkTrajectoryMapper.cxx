@@ -9,10 +9,10 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImportanceDrivenOpacity.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpacityOptimization.h"
 #include "vtkPointData.h"
 #include "vtkPolygonPartMapper.h"
 #include "vtkProperty.h"
@@ -316,12 +316,12 @@ void vtkTrajectoryMapper::Parts::UpdateOpacities()
 //------------------------------------------------------------------------------
 void vtkTrajectoryMapper::Parts::UpdateSegments(vtkActor* actor)
 {
-  vtkOpacityOptimization* optimization = vtkOpacityOptimization::Get(actor);
-  const char* name = optimization ? optimization->GetImportanceArray() : nullptr;
+  vtkImportanceDrivenOpacity* parameters = vtkImportanceDrivenOpacity::Get(actor);
+  const char* name = parameters ? parameters->GetImportanceArray() : nullptr;
   const std::string array = name ? name : "";
   const auto& leaves = this->Nodes.GetLeaves();
   std::vector<vtkMTimeType> times;
-  if (optimization)
+  if (parameters)
   {
     times = vtkTrajectorySegmentNodes::GetTimes(leaves, array);
   }
@@ -331,12 +331,12 @@ void vtkTrajectoryMapper::Parts::UpdateSegments(vtkActor* actor)
   }
   this->SegmentTimes = std::move(times);
   this->ImportanceArray = array;
-  this->Cones->SetSegments(optimization ? vtkTrajectorySegmentNodes::Make(this->Nodes, array)
-                                        : std::vector<vtkTrajectorySegmentNodes::Node>());
+  this->Cones->SetSegments(parameters ? vtkTrajectorySegmentNodes::Make(this->Nodes, array)
+                                      : std::vector<vtkTrajectorySegmentNodes::Node>());
   for (const auto& part : this->Polygons)
   {
-    part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
-      optimization ? name : nullptr, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC", parameters ? name : nullptr,
+      vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   }
 }
 

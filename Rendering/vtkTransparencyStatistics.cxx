@@ -21,6 +21,7 @@ void vtkTransparencyStatistics::Reset()
   this->Tiles = 0;
   this->GatherPasses = 0;
   this->BlendedProps = 0;
+  this->Fading = false;
   this->Stages.clear();
 }
 
@@ -79,6 +80,7 @@ void vtkTransparencyStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tiles: " << this->Tiles << "\n";
   os << indent << "GatherPasses: " << this->GatherPasses << "\n";
   os << indent << "BlendedProps: " << this->BlendedProps << "\n";
+  os << indent << "Fading: " << this->Fading << "\n";
   for (const auto& stage : this->Stages)
   {
     os << indent << "Stage " << stage.first << ": " << stage.second << " ms\n";

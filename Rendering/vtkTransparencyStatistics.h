@@ -79,6 +79,13 @@ public:
   vtkGetMacro(BlendedProps, int);
   ///@}
 
+  ///@{
+  /** Whether opacities are still on their way to those of the view: another frame comes nearer. See
+   * vtkExactTransparencyPass::SetFadeTime(). */
+  vtkSetMacro(Fading, bool);
+  vtkGetMacro(Fading, bool);
+  ///@}
+
   /** Add milliseconds to a stage; the first call for a name makes the stage. */
   void AddStage(const std::string& name, double milliseconds);
 
@@ -107,6 +114,7 @@ private:
   int Tiles = 0;
   int GatherPasses = 0;
   int BlendedProps = 0;
+  bool Fading = false;
   std::vector<std::pair<std::string, double>> Stages;
 };
 

@@ -63,7 +63,8 @@ bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
   std::vector<Source> sources;
   for (vtkProp* prop : props)
   {
-    vtkOpacityOptimization* optimization = vtkOpacityOptimization::Get(prop);
+    auto* optimization =
+      vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(prop));
     auto* actor = vtkActor::SafeDownCast(prop);
     if (!optimization || !actor || !actor->GetMapper() ||
       actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
