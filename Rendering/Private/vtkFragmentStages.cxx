@@ -9,12 +9,8 @@
 #include "vtkFragmentResolveFS.h"
 #include "vtkFragmentSolveFS.h"
 #include "vtkFragmentSortFS.h"
-#include "vtkFragmentStageVS.h"
 #include "vtkOpaqueDepthDec.h"
 #include "vtkOpaqueLayer.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkOptimizedOpacityDec.h"
 #include "vtkSegmentOpacities.h"
 #include "vtkSegmentTablesDec.h"
@@ -48,32 +44,12 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
   vtkShaderProgram::Substitute(
     source, "//VTK::Pellucid::Opacity", whereOptimizing(vtkOptimizedOpacityDec));
 
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  vtkShaderProgram* program =
-    cache->ReadyShaderProgram(vtkFragmentStageVS, source.c_str(), "", nullptr);
-  if (!program)
-  {
-    return;
-  }
-  vtkFragmentStages::SetTile(program, tile);
-  opaque.SetUniforms(program);
-
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-  cache->ReleaseCurrentShader();
+  this->Stage.Draw(window, source,
+    [&](vtkShaderProgram* program)
+    {
+      vtkFragmentStages::SetTile(program, tile);
+      opaque.SetUniforms(program);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -106,8 +82,7 @@ void vtkFragmentStages::Resolve(
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Release()
 {
-  glDeleteVertexArrays(1, &this->VertexArray);
-  this->VertexArray = 0;
+  this->Stage.Release();
 }
 
 VTK_ABI_NAMESPACE_END

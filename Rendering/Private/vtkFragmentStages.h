@@ -9,7 +9,7 @@
 #define vtkFragmentStages_h
 
 #include "vtkFragmentTiles.h" // for vtkPixelRectangle
-#include "vtkOpenGLError.h"   // for OpenGL itself, through the loader that this VTK uses
+#include "vtkStageDraw.h"
 
 #include <string>
 
@@ -62,7 +62,7 @@ private:
     const std::string& moreDefinitions = std::string());
 
   bool Optimize = false;
-  GLuint VertexArray = 0;
+  vtkStageDraw Stage;
 };
 
 VTK_ABI_NAMESPACE_END

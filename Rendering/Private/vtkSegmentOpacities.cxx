@@ -4,9 +4,7 @@
 #include "vtkSegmentOpacities.h"
 
 #include "vtkCornerOpacitiesFS.h"
-#include "vtkFragmentStageVS.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOptimizedScene.h"
 #include "vtkSegmentSmoothFS.h"
@@ -136,19 +134,12 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
   if (this->Framebuffer == 0)
   {
     glGenFramebuffers(1, &this->Framebuffer);
-    glGenVertexArrays(1, &this->VertexArray);
   }
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   state->vtkglDrawBuffer(GL_NONE);
   vtkOpenGLState::ScopedglViewport viewportSaver(state);
   vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
-  for (const GLenum capability : { GL_SCISSOR_TEST, GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE })
-  {
-    state->vtkglDisable(capability);
-  }
+  state->vtkglDisable(GL_SCISSOR_TEST);
 
   this->BindTables();
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, FirstNeighborsBinding, this->Handles[FirstNeighbors]);
@@ -239,26 +230,19 @@ void vtkSegmentOpacities::DrawStep(
   vtkShaderProgram::Substitute(
     source, "//VTK::Pellucid::Definitions", vtkSegmentOpacities::GetShaderDefinitions());
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Segments", vtkSegmentTablesDec);
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  vtkShaderProgram* program =
-    cache->ReadyShaderProgram(vtkFragmentStageVS, source.c_str(), "", nullptr);
-  if (!program)
-  {
-    return;
-  }
   const int width = static_cast<int>(std::min<vtkIdType>(elements, RowLength));
   const int height = static_cast<int>((elements + width - 1) / width);
-  program->SetUniformi("elementCount", static_cast<int>(elements));
-  program->SetUniformi("rowLength", width);
-  program->SetUniformi("iteration", iteration);
-  program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
   window->GetState()->vtkglViewport(0, 0, width, height);
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-  cache->ReleaseCurrentShader();
+  this->Stage.Draw(window, source,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("elementCount", static_cast<int>(elements));
+      program->SetUniformi("rowLength", width);
+      program->SetUniformi("iteration", iteration);
+      program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
+    });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -278,13 +262,12 @@ void vtkSegmentOpacities::Release()
 {
   glDeleteBuffers(NumberOfBuffers, this->Handles.data());
   glDeleteFramebuffers(1, &this->Framebuffer);
-  glDeleteVertexArrays(1, &this->VertexArray);
+  this->Stage.Release();
   this->Handles.fill(0);
   this->Bytes.fill(0);
   this->NumberOfSegments = 0;
   this->NumberOfCorners = 0;
   this->Framebuffer = 0;
-  this->VertexArray = 0;
 }
 
 VTK_ABI_NAMESPACE_END

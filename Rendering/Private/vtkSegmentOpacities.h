@@ -19,7 +19,7 @@
 #ifndef vtkSegmentOpacities_h
 #define vtkSegmentOpacities_h
 
-#include "vtkOpenGLError.h" // for OpenGL itself, through the loader that this VTK uses
+#include "vtkStageDraw.h"
 #include "vtkType.h"
 
 #include <array>
@@ -104,7 +104,7 @@ private:
   vtkIdType NumberOfSegments = 0;
   vtkIdType NumberOfCorners = 0;
   GLuint Framebuffer = 0;
-  GLuint VertexArray = 0;
+  vtkStageDraw Stage;
 };
 
 VTK_ABI_NAMESPACE_END
