@@ -122,12 +122,19 @@ struct vtkExactTransparencyPass::Internals
                           : vtkFragmentLists::BytesPerNode;
   }
 
+  /** The entry of a prop whose opacities are optimised; null for every other. */
+  const vtkOptimizedScene::Member* FindOptimized(vtkProp* prop) const
+  {
+    const vtkOptimizedScene::Member* member = this->Optimize ? this->Scene.Find(prop) : nullptr;
+    return member && !member->Avoids ? member : nullptr;
+  }
+
   /** The entry of the prop that is being gathered, for mappers that do not bring their importances
    * themselves; null where the opacities are not optimised. */
   const vtkOptimizedScene::Member* FindMember(vtkAbstractMapper* mapper) const
   {
     const bool brings = vtkRoundedConeMapper::SafeDownCast(mapper) != nullptr;
-    return this->Optimize && !brings ? this->Scene.Find(this->Prop) : nullptr;
+    return brings ? nullptr : this->FindOptimized(this->Prop);
   }
 
   void FollowContext(vtkOpenGLRenderWindow* window)
@@ -185,7 +192,7 @@ vtkSmartPointer<vtkFloatArray> vtkExactTransparencyPass::GetOptimizedOpacities(v
 {
   Internals& internal = *this->Internal;
   const vtkOptimizedScene::Member* member =
-    internal.Optimize && internal.Window ? internal.Scene.Find(actor) : nullptr;
+    internal.Window ? internal.FindOptimized(actor) : nullptr;
   if (!member)
   {
     return nullptr;
@@ -375,7 +382,7 @@ bool vtkExactTransparencyPass::PrepareOptimization(const vtkRenderState* state)
   Internals& internal = *this->Internal;
   vtkOptimizedScene& scene = internal.Scene;
   const bool changed = scene.Update(GetProps(state));
-  if (!scene.HasEffect())
+  if (!scene.HasOptimization())
   {
     return false;
   }
@@ -719,8 +726,7 @@ bool vtkExactTransparencyPass::SetShaderParameters(
     internal.GPU->Opaque.SetUniforms(program);
     program->SetUniformi(
       "pellucidNodeCapacity", static_cast<int>(internal.GPU->Lists.GetNodeCapacity()));
-    const vtkOptimizedScene::Member* member =
-      internal.Optimize ? internal.Scene.Find(internal.Prop) : nullptr;
+    const vtkOptimizedScene::Member* member = internal.FindOptimized(internal.Prop);
     if (member && program->IsUniformUsed("pellucidFirstSegment"))
     {
       const vtkOptimizedScene::Part& part = member->FindPart(mapper);

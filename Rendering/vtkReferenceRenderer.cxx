@@ -116,7 +116,7 @@ void vtkReferenceRenderer::Update()
   internals.Source = std::make_unique<vtkReferenceScene>(this->Renderer, width, height);
   internals.Caster = std::make_unique<pellucid::RayCaster<double>>(internals.Source->GetScene());
   const vtkOptimizedScene& optimized = internals.Source->GetOptimizedScene();
-  const std::vector<double> opacities = optimized.HasEffect()
+  const std::vector<double> opacities = optimized.HasOptimization()
     ? vtkSolveReferenceOpacities(*internals.Caster, optimized)
     : std::vector<double>();
   internals.Image->SetDimensions(width, height, 1);

@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMapper.h"
+#include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -47,14 +48,63 @@ vtkDataArray* GetSurfaceNeighbors(vtkPolyData* data)
     ? vtkDataArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SegmentNeighbors"))
     : nullptr;
 }
+
+//------------------------------------------------------------------------------
+float ToFloat(double value)
+{
+  return static_cast<float>(std::min<double>(value, std::numeric_limits<float>::max()));
+}
+
+//------------------------------------------------------------------------------
+vtkOptimizedScene::Parameters MakeParameters(vtkImportanceDrivenOpacity* settings)
+{
+  vtkOptimizedScene::Parameters actor;
+  if (auto* optimization = vtkOpacityOptimization::SafeDownCast(settings))
+  {
+    actor.OcclusionWeight = ToFloat(optimization->GetOcclusionWeight());
+    actor.ClutterWeight = ToFloat(optimization->GetClutterWeight());
+    actor.Exponent = ToFloat(2.0 * optimization->GetEmphasis());
+    actor.SmoothingIterations = static_cast<std::uint32_t>(optimization->GetSmoothingIterations());
+    actor.SelfOcclusion = optimization->GetSelfOcclusion() ? 1 : 0;
+  }
+  else if (auto* avoidance = vtkOcclusionAvoidance::SafeDownCast(settings))
+  {
+    actor.Avoids = avoidance->GetMode() == vtkOcclusionAvoidance::PENALTY
+      ? vtkOptimizedScene::AvoidsByPenalty
+      : vtkOptimizedScene::AvoidsByWeighting;
+    if (avoidance->GetSmoothAttributes())
+    {
+      actor.Avoids |= vtkOptimizedScene::SmoothsAttributes;
+    }
+    actor.Penalty = ToFloat(avoidance->GetPenalty());
+    actor.ImportanceWeight = ToFloat(avoidance->GetImportanceWeight());
+    actor.CoverageWeight = ToFloat(avoidance->GetCoverageWeight());
+    actor.VarianceWeight = ToFloat(avoidance->GetDirectionalVarianceWeight());
+    actor.DepthWeight = ToFloat(avoidance->GetDepthWeight());
+    actor.Lambda = ToFloat(avoidance->GetEmphasis());
+    actor.GlobalOpacity = ToFloat(avoidance->GetGlobalOpacity());
+  }
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+// Whether the factors of an actor with occlusion avoidance can differ from 1.
+bool CanAvoid(const vtkOptimizedScene::Parameters& actor)
+{
+  const bool byPenalty = (actor.Avoids & vtkOptimizedScene::AvoidsByPenalty) != 0;
+  const bool byWeighting = (actor.Avoids & vtkOptimizedScene::AvoidsByWeighting) != 0;
+  return (actor.Avoids != 0 && actor.GlobalOpacity < 1.0f) || (byPenalty && actor.Penalty < 1.0f) ||
+    (byWeighting &&
+      (actor.ImportanceWeight > 0.0f || actor.CoverageWeight > 0.0f ||
+        actor.VarianceWeight > 0.0f || actor.DepthWeight > 0.0f));
+}
 }
 
 //------------------------------------------------------------------------------
 bool vtkOptimizedScene::Source::operator==(const Source& other) const
 {
-  return std::tie(
-           this->Prop, this->Optimization, this->OptimizationTime, this->Leaves, this->LeafTimes) ==
-    std::tie(other.Prop, other.Optimization, other.OptimizationTime, other.Leaves, other.LeafTimes);
+  return std::tie(this->Prop, this->Settings, this->SettingsTime, this->Leaves, this->LeafTimes) ==
+    std::tie(other.Prop, other.Settings, other.SettingsTime, other.Leaves, other.LeafTimes);
 }
 
 //------------------------------------------------------------------------------
@@ -63,16 +113,15 @@ bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
   std::vector<Source> sources;
   for (vtkProp* prop : props)
   {
-    auto* optimization =
-      vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(prop));
+    vtkImportanceDrivenOpacity* settings = vtkImportanceDrivenOpacity::Get(prop);
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!optimization || !actor || !actor->GetMapper() ||
+    if (!settings || !actor || !actor->GetMapper() ||
       actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
     {
       continue;
     }
     actor->GetMapper()->Update();
-    Source source{ prop, optimization, optimization->GetMTime(), {}, {} };
+    Source source{ prop, settings, settings->GetMTime(), {}, {} };
     source.Leaves =
       vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
     for (vtkPolyData* leaf : source.Leaves)
@@ -115,23 +164,24 @@ void vtkOptimizedScene::Clear()
 //------------------------------------------------------------------------------
 void vtkOptimizedScene::AddActor(const Source& source)
 {
-  vtkOpacityOptimization* optimization = source.Optimization;
   const auto actor = static_cast<std::uint32_t>(this->ActorParameters.size());
-  const auto toFloat = [](double value)
-  { return static_cast<float>(std::min<double>(value, std::numeric_limits<float>::max())); };
-  this->ActorParameters.push_back({ toFloat(optimization->GetOcclusionWeight()),
-    toFloat(optimization->GetClutterWeight()), toFloat(2.0 * optimization->GetEmphasis()),
-    static_cast<std::uint32_t>(optimization->GetSmoothingIterations()),
-    optimization->GetSelfOcclusion() ? 1u : 0u });
-
+  this->ActorParameters.push_back(MakeParameters(source.Settings));
   Member& member = this->Members[source.Prop];
-  member.Optimization = optimization;
+  member.Settings = source.Settings;
+  member.Avoids = this->ActorParameters.back().Avoids != 0;
   for (vtkPolyData* leaf : source.Leaves)
   {
     Part part;
     part.Data = leaf;
-    this->AddSegments(leaf, actor, part);
-    this->AddImportances(leaf, optimization);
+    if (member.Avoids)
+    {
+      this->AddLoneSegment(actor, part);
+    }
+    else
+    {
+      this->AddSegments(leaf, actor, part);
+    }
+    this->AddImportances(leaf, member);
     member.Parts.push_back(part);
   }
 }
@@ -165,23 +215,34 @@ std::uint32_t vtkOptimizedScene::CountSegments(vtkPolyData* data)
 //------------------------------------------------------------------------------
 void vtkOptimizedScene::AddSegments(vtkPolyData* data, std::uint32_t actor, Part& part)
 {
+  const bool alongLines = GetLineSegments(data) != nullptr;
+  if (!alongLines && !GetSurfaceNeighbors(data))
+  {
+    this->AddLoneSegment(actor, part);
+    return;
+  }
   part.FirstSegment = static_cast<std::uint32_t>(this->ActorOfSegment.size());
   const std::uint32_t count = vtkOptimizedScene::CountSegments(data);
   part.NumberOfSegments = count;
   this->ActorOfSegment.resize(part.FirstSegment + count, actor);
-  if (GetLineSegments(data))
+  if (alongLines)
   {
     this->AddLineNeighbors(data, count, part.FirstSegment);
   }
-  else if (GetSurfaceNeighbors(data))
+  else
   {
     this->AddSurfaceNeighbors(data, count, part.FirstSegment);
     this->AddCorners(data, part);
   }
-  else
-  {
-    this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
-  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddLoneSegment(std::uint32_t actor, Part& part)
+{
+  part.FirstSegment = static_cast<std::uint32_t>(this->ActorOfSegment.size());
+  part.NumberOfSegments = 1;
+  this->ActorOfSegment.push_back(actor);
+  this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
 }
 
 //------------------------------------------------------------------------------
@@ -258,9 +319,9 @@ void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
 }
 
 //------------------------------------------------------------------------------
-void vtkOptimizedScene::AddImportances(vtkPolyData* data, vtkOpacityOptimization* optimization)
+void vtkOptimizedScene::AddImportances(vtkPolyData* data, const Member& member)
 {
-  const char* name = optimization->GetImportanceArray();
+  const char* name = member.Settings->GetImportanceArray();
   vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
   double range[2] = { 0.0, 0.0 };
   if (array && array->GetNumberOfComponents() == 1)
@@ -271,17 +332,26 @@ void vtkOptimizedScene::AddImportances(vtkPolyData* data, vtkOpacityOptimization
   {
     this->MissingArrays.emplace_back(name ? name : "");
   }
-  this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
-  this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+  if (!member.Avoids)
+  {
+    this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
+    this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+  }
 }
 
 //------------------------------------------------------------------------------
-bool vtkOptimizedScene::HasEffect() const
+bool vtkOptimizedScene::HasOptimization() const
 {
   return this->LeastImportance < this->GreatestImportance &&
     std::any_of(this->ActorParameters.begin(), this->ActorParameters.end(),
       [](const Parameters& actor)
       { return actor.OcclusionWeight > 0.0f || actor.ClutterWeight > 0.0f; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkOptimizedScene::HasAvoidance() const
+{
+  return std::any_of(this->ActorParameters.begin(), this->ActorParameters.end(), CanAvoid);
 }
 
 //------------------------------------------------------------------------------
@@ -311,7 +381,7 @@ void vtkOptimizedScene::MapImportances() const
     if (mapper && !vtkTrajectoryMapper::SafeDownCast(mapper))
     {
       mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
-        source.Optimization->GetImportanceArray(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+        source.Settings->GetImportanceArray(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }
 }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The actors of a frame whose opacities are optimised, and their segments, as tables for the
- * shaders of vtkSegmentOpacities. Needs no OpenGL.
+ * The actors of a frame whose opacities follow from importance, and their segments, as tables for
+ * the shaders of vtkSegmentOpacities. Needs no OpenGL.
  *
  * Opacities are numbered through all actors: number 0 is that of everything that takes no part,
  * then follow the segments of each actor, then the corners of all triangles that interpolate
- * between segments.
+ * between segments. A part of an actor with vtkOcclusionAvoidance is one segment, with no
+ * neighbours and no corners, through which its fragments find their actor.
  */
 
 #ifndef vtkOptimizedScene_h
@@ -23,21 +24,44 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractMapper;
-class vtkOpacityOptimization;
+class vtkImportanceDrivenOpacity;
 class vtkPolyData;
 class vtkProp;
 
 class vtkOptimizedScene
 {
 public:
+  /** Of Parameters::Avoids; 0 where the opacities of the actor are optimised. */
+  enum AvoidanceBits : std::uint32_t
+  {
+    AvoidsByPenalty = 1,
+    AvoidsByWeighting = 2,
+    SmoothsAttributes = 4
+  };
+
   /** Parameters of one actor, as glsl/vtkSegmentTablesDec.glsl has them. */
   struct Parameters
   {
+    ///@{
+    /** Of vtkOpacityOptimization. */
     float OcclusionWeight = 0.0f;
     float ClutterWeight = 0.0f;
     float Exponent = 1.0f;
     std::uint32_t SmoothingIterations = 0;
     std::uint32_t SelfOcclusion = 0;
+    ///@}
+
+    ///@{
+    /** Of vtkOcclusionAvoidance. */
+    std::uint32_t Avoids = 0;
+    float Penalty = 1.0f;
+    float ImportanceWeight = 0.0f;
+    float CoverageWeight = 0.0f;
+    float VarianceWeight = 0.0f;
+    float DepthWeight = 0.0f;
+    float Lambda = 1.0f;
+    float GlobalOpacity = 1.0f;
+    ///@}
   };
 
   /** Where the opacities of a part of an actor, one vtkPolyData, begin. */
@@ -53,7 +77,8 @@ public:
   /** One actor that takes part. */
   struct Member
   {
-    vtkOpacityOptimization* Optimization = nullptr;
+    vtkImportanceDrivenOpacity* Settings = nullptr;
+    bool Avoids = false;     ///< the settings are a vtkOcclusionAvoidance
     std::vector<Part> Parts; ///< one at least
 
     /** What that mapper draws. */
@@ -71,10 +96,16 @@ public:
   bool Update(const std::vector<vtkProp*>& props);
 
   /**
-   * Whether anything can fade: there is an actor with a weight above 0, and the importances of the
-   * actors are not all the same.
+   * Whether an optimisation can fade anything: one of its actors has a weight above 0, and the
+   * importances of its actors are not all the same.
    */
-  bool HasEffect() const;
+  bool HasOptimization() const;
+
+  /** Whether occlusion avoidance can fade anything: an actor's factors can differ from 1. */
+  bool HasAvoidance() const;
+
+  /** Whether any actor takes part. */
+  bool HasMembers() const { return !this->Members.empty(); }
 
   /** The entry of a prop; null when it takes no part. */
   const Member* Find(vtkProp* prop) const;
@@ -111,8 +142,8 @@ private:
   struct Source
   {
     vtkProp* Prop;
-    vtkOpacityOptimization* Optimization;
-    vtkMTimeType OptimizationTime;
+    vtkImportanceDrivenOpacity* Settings;
+    vtkMTimeType SettingsTime;
     std::vector<vtkPolyData*> Leaves;
     std::vector<vtkMTimeType> LeafTimes;
     bool operator==(const Source& other) const;
@@ -121,10 +152,11 @@ private:
   void Clear();
   void AddActor(const Source& source);
   void AddSegments(vtkPolyData* data, std::uint32_t actor, Part& part);
+  void AddLoneSegment(std::uint32_t actor, Part& part);
   void AddLineNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddSurfaceNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddCorners(vtkPolyData* data, Part& part);
-  void AddImportances(vtkPolyData* data, vtkOpacityOptimization* optimization);
+  void AddImportances(vtkPolyData* data, const Member& member);
 
   std::vector<Source> Sources;
   std::map<vtkProp*, Member> Members;
@@ -134,6 +166,8 @@ private:
   std::vector<std::uint32_t> Neighbors;
   std::vector<Corner> Corners;
   std::vector<std::string> MissingArrays;
+
+  // Of the actors whose opacities are optimised.
   double LeastImportance = 0.0;
   double GreatestImportance = 0.0;
 };

@@ -173,7 +173,7 @@ public:
     const auto part = std::find_if(target.member->Parts.begin(), target.member->Parts.end(),
       [data](const vtkOptimizedScene::Part& candidate) { return candidate.Data == data; });
     this->Part = part == target.member->Parts.end() ? &target.member->Parts.front() : &*part;
-    const char* name = target.member->Optimization->GetImportanceArray();
+    const char* name = target.member->Settings->GetImportanceArray();
     vtkPointData* points = data->GetPointData();
     this->Importance = name ? points->GetArray(name) : nullptr;
     if (vtkOptimizedScene::HasLineSegments(data))

@@ -233,7 +233,7 @@ void vtkReferenceScene::TakeProp(vtkProp* prop)
 //------------------------------------------------------------------------------
 const vtkOptimizedScene::Member* vtkReferenceScene::FindMember(vtkActor* actor) const
 {
-  return this->Optimized.HasEffect() ? this->Optimized.Find(actor) : nullptr;
+  return this->Optimized.HasOptimization() ? this->Optimized.Find(actor) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -246,12 +246,13 @@ pellucid::Surface<double> vtkReferenceScene::MakeSurface(vtkActor* actor, vtkMap
     actor->GetBackfaceProperty() ? ToMaterial(actor->GetBackfaceProperty()) : surface.front;
   surface.opaque = !actor->HasTranslucentPolygonalGeometry();
   surface.lit = property->GetLighting();
-  if (const vtkOptimizedScene::Member* member = this->FindMember(actor))
+  const vtkOptimizedScene::Member* member = this->FindMember(actor);
+  if (auto* optimization =
+        vtkOpacityOptimization::SafeDownCast(member ? member->Settings : nullptr))
   {
-    surface.optimization =
-      pellucid::OpacityParameters<double>{ member->Optimization->GetOcclusionWeight(),
-        member->Optimization->GetClutterWeight(), member->Optimization->GetEmphasis(),
-        !member->Optimization->GetSelfOcclusion() };
+    surface.optimization = pellucid::OpacityParameters<double>{ optimization->GetOcclusionWeight(),
+      optimization->GetClutterWeight(), optimization->GetEmphasis(),
+      !optimization->GetSelfOcclusion() };
   }
   surface.cullBack = property->GetBackfaceCulling() != 0;
   surface.cullFront = property->GetFrontfaceCulling() && !surface.cullBack;

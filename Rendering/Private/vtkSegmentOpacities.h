@@ -4,14 +4,14 @@
  * The opacities of the segments of a vtkOptimizedScene in graphics memory, from the least opacity
  * of their fragments, which vtkFragmentStages::Solve() finds, to those that the resolve looks up.
  *
- * | buffer         | element | content                                                         |
- * | -------------- | ------- | --------------------------------------------------------------- |
- * | Segments       | uvec2   | least opacity of its fragments as bits, actor                   |
- * | Actors         | 5 words | vtkOptimizedScene::Parameters                                   |
- * | FirstNeighbors | uint    | first entry of each segment in Neighbors, and the end           |
- * | Neighbors      | uint    | segments                                                        |
- * | Corners        | 8 words | vtkOptimizedScene::Corner                                       |
- * | Source, Target | float   | opacity of each segment, then of each corner; negative: unknown |
+ * | buffer         | element  | content                                                         |
+ * | -------------- | -------- | --------------------------------------------------------------- |
+ * | Segments       | uvec2    | least opacity of its fragments as bits, actor                   |
+ * | Actors         | 13 words | vtkOptimizedScene::Parameters                                   |
+ * | FirstNeighbors | uint     | first entry of each segment in Neighbors, and the end           |
+ * | Neighbors      | uint     | segments                                                        |
+ * | Corners        | 8 words  | vtkOptimizedScene::Corner                                       |
+ * | Source, Target | float    | opacity of each segment, then of each corner; negative: unknown |
  *
  * A current OpenGL 4.3 context is needed by every function but the static ones.
  */

@@ -14,11 +14,22 @@ layout(std430, binding = PELLUCID_SEGMENTS_BINDING) buffer PellucidSegments
 
 struct PellucidActor
 {
+  // vtkOpacityOptimization
   float occlusionWeight;  // q of equation 9 of Guenther et al. 2017
   float clutterWeight;    // r
   float exponent;         // 2 lambda
   uint smoothingIterations;
   uint selfOcclusion;     // 1: a segment may hide itself
+
+  // vtkOcclusionAvoidance
+  uint avoids;            // 0: is optimised; 1: by penalty, 2: by weighting, 4 more: attributes are smoothed
+  float penalty;
+  float importanceWeight; // m of equation 3.3 of Bandle 2016
+  float coverageWeight;   // c
+  float varianceWeight;   // v
+  float depthWeight;      // d
+  float lambda;
+  float globalOpacity;
 };
 
 layout(std430, binding = PELLUCID_ACTORS_BINDING) readonly buffer PellucidActors
