@@ -3,35 +3,28 @@
 
 #include "vtkExactTransparencyPass.h"
 
+#include "Private/vtkFragmentGather.h"
 #include "Private/vtkFragmentLists.h"
 #include "Private/vtkFragmentStages.h"
 #include "Private/vtkFragmentTiles.h"
 #include "Private/vtkOpaqueLayer.h"
 #include "Private/vtkOptimizedScene.h"
-#include "Private/vtkRoundedConeMapper.h"
+#include "Private/vtkSceneSignature.h"
 #include "Private/vtkSegmentOpacities.h"
 #include "Private/vtkStageTimers.h"
 #include "vtkFloatArray.h"
-#include "vtkFragmentAppendDec.h"
-#include "vtkFragmentImportanceDec.h"
-#include "vtkFragmentListsDec.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpaqueDepthDec.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkRenderState.h"
-#include "vtkShaderProgram.h"
-#include "vtkSurfaceImportanceDec.h"
-#include "vtkSurfaceImportanceVS.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <regex>
-#include <set>
+#include <cmath>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -51,23 +44,8 @@ constexpr vtkIdType LeastPixelsForMemory = 4096;
 const GLint NeededMajorVersion = 4;
 const GLint NeededMinorVersion = 3;
 
-std::vector<vtkProp*> GetProps(const vtkRenderState* state)
-{
-  return { state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount() };
-}
-
-// Whether the shader assigns its depth; VTK's template names gl_FragDepth in a comment in any case.
-bool WritesDepth(const std::string& fragmentShader)
-{
-  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
-  return std::regex_search(fragmentShader, assignment);
-}
-
-// VTK's shader cache begins the shaders of mappers with version 150.
-constexpr const char* Extensions = "//VTK::System::Dec\n"
-                                   "#extension GL_ARB_shader_storage_buffer_object : require\n"
-                                   "#extension GL_ARB_shading_language_420pack : require\n"
-                                   "#extension GL_ARB_shader_bit_encoding : require\n";
+// Times FadeTime after which the way that is left, 1/3000, is no longer looked at.
+constexpr double FadeTimesToTheEnd = 8.0;
 }
 
 //------------------------------------------------------------------------------
@@ -76,13 +54,17 @@ struct vtkExactTransparencyPass::Internals
   /** What belongs to one OpenGL context. Destroying it frees nothing: the context may be gone. */
   struct Resources
   {
+    vtkFragmentGather Gather;
     vtkFragmentLists Lists;
     vtkFragmentStages Stages;
     vtkSegmentOpacities Opacities;
     vtkOpaqueLayer Opaque;
     vtkStageTimers Timers;
     vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
-    GLuint GatherFramebuffer = 0;
+
+    // What the frames before have left that is still right.
+    bool HasLists = false;  ///< of the whole picture, sorted
+    bool HasSolved = false; ///< the opacities of all segments
 
     vtkIdType GetBytes() const
     {
@@ -93,22 +75,25 @@ struct vtkExactTransparencyPass::Internals
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType ContextTime = 0;
 
-  vtkFragmentTiles Tiles;
+  vtkFragmentTiles Tiles;      ///< of the picture
+  vtkFragmentTiles SmallTiles; ///< of the smaller one in which opacities are found
   vtkOptimizedScene Scene;
+  vtkSceneSignature Signature;
+  int SolvedScale = 1;       ///< GatherScale of the solution
+  bool Fading = false;       ///< what is shown is not yet the solution
+  double FrameTime = 0.0;    ///< of the last frame, in seconds
+  double SolutionTime = 0.0; ///< of the frame that found the opacities to fade to
+
+  // The lists that are in the buffers.
+  bool StoresImportance = false;
+  vtkPixelRectangle Image; ///< all that the sweep works on
+  vtkPixelRectangle Tile;
+  vtkFragmentTiles* SweepTiles = nullptr;
+  vtkIdType Fragments = 0;
+  vtkIdType LongestList = 0;
   std::uint32_t LongLists = 0; ///< of the tile, left to the CPU
 
-  // One frame.
-  bool Optimize = false;
   vtkOpenGLState* State = nullptr;
-  std::set<vtkProp*> RenderedProps;
-  std::set<vtkProp*> PropsToBlend;
-
-  // What the hooks in the mappers' shaders need.
-  vtkPixelRectangle Tile;
-  vtkProp* Prop = nullptr;
-  bool PropTookPart = false;
-  int ShaderSamples = 0;
-  vtkTimeStamp ShaderTime;
 
   // Each is said once.
   bool WarnedOfOpenGL = false;
@@ -118,23 +103,8 @@ struct vtkExactTransparencyPass::Internals
 
   vtkIdType GetBytesPerNode() const
   {
-    return this->Optimize ? vtkFragmentLists::BytesPerOptimizedNode
-                          : vtkFragmentLists::BytesPerNode;
-  }
-
-  /** The entry of a prop whose opacities are optimised; null for every other. */
-  const vtkOptimizedScene::Member* FindOptimized(vtkProp* prop) const
-  {
-    const vtkOptimizedScene::Member* member = this->Optimize ? this->Scene.Find(prop) : nullptr;
-    return member && !member->Avoids ? member : nullptr;
-  }
-
-  /** The entry of the prop that is being gathered, for mappers that do not bring their importances
-   * themselves; null where the opacities are not optimised. */
-  const vtkOptimizedScene::Member* FindMember(vtkAbstractMapper* mapper) const
-  {
-    const bool brings = vtkRoundedConeMapper::SafeDownCast(mapper) != nullptr;
-    return brings ? nullptr : this->FindOptimized(this->Prop);
+    return this->StoresImportance ? vtkFragmentLists::BytesPerOptimizedNode
+                                  : vtkFragmentLists::BytesPerNode;
   }
 
   void FollowContext(vtkOpenGLRenderWindow* window)
@@ -155,12 +125,12 @@ struct vtkExactTransparencyPass::Internals
       this->Window->PushContext();
       if (this->Window->IsCurrent())
       {
+        this->GPU->Gather.Release();
         this->GPU->Lists.Release();
         this->GPU->Stages.Release();
         this->GPU->Opacities.Release();
         this->GPU->Opaque.Release();
         this->GPU->FXAAFilter->ReleaseGraphicsResources();
-        glDeleteFramebuffers(1, &this->GPU->GatherFramebuffer);
       }
       this->Window->PopContext();
     }
@@ -192,8 +162,10 @@ vtkSmartPointer<vtkFloatArray> vtkExactTransparencyPass::GetOptimizedOpacities(v
 {
   Internals& internal = *this->Internal;
   const vtkOptimizedScene::Member* member =
-    internal.Window ? internal.FindOptimized(actor) : nullptr;
-  if (!member)
+    internal.Window && internal.GPU->HasSolved && internal.Scene.HasOptimization()
+    ? internal.Scene.Find(actor)
+    : nullptr;
+  if (!member || member->Avoids)
   {
     return nullptr;
   }
@@ -258,7 +230,7 @@ bool vtkExactTransparencyPass::KeepsStockPath(const vtkRenderState* state)
   {
     return true;
   }
-  const std::vector<vtkProp*> props = GetProps(state);
+  const std::vector<vtkProp*> props = vtkFragmentGather::GetProps(state);
   const bool peelsVolumes =
     renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
   if (peelsVolumes && std::any_of(props.begin(), props.end(), vtkVolume::SafeDownCast))
@@ -308,11 +280,11 @@ void vtkExactTransparencyPass::RenderGeometry(const vtkRenderState* state)
     }
     gpu.FXAAFilter->Execute(renderer);
   }
-  for (vtkProp* prop : GetProps(state))
+  for (vtkProp* prop : vtkFragmentGather::GetProps(state))
   {
     this->NumberOfRenderedProps += prop->RenderVolumetricGeometry(renderer);
   }
-  for (vtkProp* prop : GetProps(state))
+  for (vtkProp* prop : vtkFragmentGather::GetProps(state))
   {
     this->NumberOfRenderedProps += prop->RenderOverlay(renderer);
   }
@@ -324,9 +296,6 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  internal.RenderedProps.clear();
-  internal.PropsToBlend.clear();
-
   std::array<int, 4> viewport{};
   internal.State->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
   if (viewport[2] < 1 || viewport[3] < 1)
@@ -337,121 +306,229 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
     vtkStageTimers::Scope stage(gpu.Timers, "copy");
     gpu.Opaque.Copy(internal.State, viewport);
   }
-  const bool optimize = this->PrepareOptimization(state);
-  if (internal.ShaderSamples != gpu.Opaque.GetSamples() || internal.Optimize != optimize)
-  {
-    internal.ShaderSamples = gpu.Opaque.GetSamples();
-    internal.Optimize = optimize;
-    internal.ShaderTime.Modified();
-  }
-  gpu.Stages.SetOptimize(optimize);
-
-  if (gpu.Lists.GetBytes() > this->MemoryLimit * BytesPerMiB)
-  {
-    gpu.Lists.Release();
-  }
+  this->PrepareImportance(state);
   const vtkPixelRectangle image{ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } };
+  this->ForgetWhatChanged(state, image);
+
   vtkOpenGLState::ScopedglScissor scissorSaver(internal.State);
   vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(internal.State, GL_SCISSOR_TEST);
   internal.State->vtkglEnable(GL_SCISSOR_TEST);
   gpu.Opaque.Activate(internal.State);
-  if (optimize)
+  if (internal.StoresImportance)
   {
-    this->RenderTiles(state, image, Sweep::Solve);
-    this->SmoothOpacities();
+    this->OptimizeOpacities(state, image);
   }
-  if (!optimize || internal.Tiles.GetNumberOfTiles() > 1)
+  if (this->View == VIEW_LENGTH)
   {
-    this->Statistics->SetFragments(0);
-    this->RenderTiles(state, image, Sweep::Resolve);
+    this->ForTiles(state, image, 1, [] {});
   }
-  else if (internal.Tiles.GetNumberOfTiles() == 1)
-  {
-    this->Resolve();
-  }
+  this->ForTiles(state, image, 1, [this] { this->Resolve(); });
+  // Now, because what is drawn for the first time changes: lookup tables are built.
+  internal.Signature = vtkSceneSignature(state, image);
   gpu.Opaque.Deactivate(internal.State);
   vtkFragmentLists::Unbind();
   vtkSegmentOpacities::Unbind();
+  this->Statistics->SetFragments(internal.Fragments);
+  this->Statistics->SetLongestList(internal.LongestList);
   this->Statistics->SetTiles(internal.Tiles.GetNumberOfTiles());
-  this->NumberOfRenderedProps += static_cast<int>(internal.RenderedProps.size());
+  this->NumberOfRenderedProps += static_cast<int>(gpu.Gather.GetRenderedProps().size());
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PrepareOptimization(const vtkRenderState* state)
+void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
 {
   Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
   vtkOptimizedScene& scene = internal.Scene;
-  const bool changed = scene.Update(GetProps(state));
-  if (!scene.HasOptimization())
+  const auto change = scene.Update(vtkFragmentGather::GetProps(state));
+  const bool shows = this->View == VIEW_IMPORTANCE || this->View == VIEW_SEGMENTS;
+  internal.StoresImportance =
+    scene.HasOptimization() || scene.HasAvoidance() || (shows && scene.HasMembers());
+  if (!internal.StoresImportance)
   {
-    return false;
+    gpu.HasSolved = false;
+    return;
   }
-  if (changed || internal.GPU->Opacities.GetBytes() == 0)
+  using Change = vtkOptimizedScene::Change;
+  const bool isFirst = gpu.Opacities.GetBytes() == 0;
+  if (isFirst || change != Change::None)
   {
+    gpu.HasSolved = false;
     scene.MapImportances();
-    if (!internal.GPU->Opacities.Upload(scene))
+    const bool uploaded = isFirst || change == Change::Segments
+      ? gpu.Opacities.Upload(scene)
+      : gpu.Opacities.UploadSettings(scene);
+    if (!uploaded)
     {
       vtkErrorMacro("OpenGL has no room for the opacities of "
         << scene.GetNumberOfSegments()
         << " segments. This picture is drawn without optimised opacities.");
-      internal.GPU->Opacities.Release();
-      return false;
+      gpu.Opacities.Release();
+      internal.StoresImportance = false;
     }
   }
   for (const std::string& array : scene.TakeMissingArrays())
   {
-    vtkWarningMacro("The data of an actor whose opacities are to be optimised has no point array \""
+    vtkWarningMacro(
+      "The data of an actor whose opacities follow from importance has no point array \""
       << array
       << "\" of one component: it counts as unimportant. Name its importance with "
-         "vtkOpacityOptimization::SetImportanceArray().");
+         "vtkImportanceDrivenOpacity::SetImportanceArray().");
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::RenderTiles(
-  const vtkRenderState* state, const vtkPixelRectangle& image, Sweep sweep)
+void vtkExactTransparencyPass::ForgetWhatChanged(
+  const vtkRenderState* state, const vtkPixelRectangle& image)
 {
   Internals& internal = *this->Internal;
-  internal.Tiles.Begin(image, this->MemoryLimit * BytesPerMiB,
-    vtkFragmentLists::GetLargestNodeCapacity(), internal.GetBytesPerNode());
-  while (internal.Tiles.Next(internal.Tile))
+  Internals::Resources& gpu = *internal.GPU;
+  const vtkMTimeType shaderTime = gpu.Gather.GetShaderTime();
+  gpu.Gather.SetFormat(gpu.Opaque.GetSamples(), internal.StoresImportance);
+  gpu.Stages.SetStoresImportance(internal.StoresImportance);
+  const bool same = vtkSceneSignature(state, image).IsSame(internal.Signature) &&
+    shaderTime == gpu.Gather.GetShaderTime();
+  if (internal.SolvedScale != this->GatherScale)
   {
-    internal.State->vtkglScissor(internal.Tile.Origin[0], internal.Tile.Origin[1],
-      internal.Tile.Size[0], internal.Tile.Size[1]);
-    this->RenderTile(state, sweep);
+    internal.SolvedScale = this->GatherScale;
+    gpu.HasSolved = false;
+  }
+  if (!same)
+  {
+    gpu.HasLists = false;
+    gpu.HasSolved = false;
+    gpu.Gather.ForgetProps();
+  }
+  if (gpu.Lists.GetBytes() > this->MemoryLimit * BytesPerMiB)
+  {
+    gpu.Lists.Release();
+    gpu.HasLists = false;
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state, Sweep sweep)
+void vtkExactTransparencyPass::OptimizeOpacities(
+  const vtkRenderState* state, const vtkPixelRectangle& image)
 {
-  const vtkPixelRectangle tile = this->Internal->Tile;
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  this->FadeOpacities();
+  if (!gpu.HasSolved)
+  {
+    if (internal.Scene.HasOptimization())
+    {
+      this->ForTiles(state, image, this->GatherScale, [this] { this->Solve(); });
+    }
+    this->SmoothOpacities();
+    gpu.HasSolved = true;
+  }
+  this->Statistics->SetFading(internal.Fading);
+}
+
+//------------------------------------------------------------------------------
+// The opacities of the frame before come nearer to those that were its aim; this frame's are the
+// aim of the next.
+void vtkExactTransparencyPass::FadeOpacities()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  if (this->FadeTime == 0.0 || !gpu.Opacities.StartFading())
+  {
+    if (gpu.Opacities.StopFading())
+    {
+      gpu.HasSolved = false;
+    }
+    internal.Fading = false;
+    return;
+  }
+  const double now = this->FrameTime < 0.0 ? vtkTimerLog::GetUniversalTime() : this->FrameTime;
+  const double seconds = std::max(now - internal.FrameTime, 0.0);
+  internal.FrameTime = now;
+  if (internal.Fading)
+  {
+    const bool arrives = now - internal.SolutionTime >= FadeTimesToTheEnd * this->FadeTime;
+    const double share = arrives ? 1.0 : 1.0 - std::exp(-seconds / this->FadeTime);
+    vtkStageTimers::Scope stage(gpu.Timers, "fade");
+    gpu.Opacities.Fade(internal.Window, share);
+    internal.Fading = !arrives;
+  }
+  if (!gpu.HasSolved)
+  {
+    internal.SolutionTime = now;
+    internal.Fading = gpu.Opacities.HasSolved();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image,
+  int scale, const std::function<void()>& work)
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  if (scale == 1 && gpu.HasLists)
+  {
+    internal.Tile = image;
+    internal.State->vtkglScissor(image.Origin[0], image.Origin[1], image.Size[0], image.Size[1]);
+    gpu.Lists.Bind();
+    work();
+    return;
+  }
+  vtkOpenGLState::ScopedglViewport viewportSaver(internal.State);
+  internal.Image = image;
+  for (int& side : internal.Image.Size)
+  {
+    side = (side + scale - 1) / scale;
+  }
+  internal.State->vtkglViewport(
+    image.Origin[0], image.Origin[1], internal.Image.Size[0], internal.Image.Size[1]);
+  gpu.Opaque.SetScale(scale);
+  internal.SweepTiles = scale == 1 ? &internal.Tiles : &internal.SmallTiles;
+  internal.SweepTiles->Begin(internal.Image, this->MemoryLimit * BytesPerMiB,
+    vtkFragmentLists::GetLargestNodeCapacity(), internal.GetBytesPerNode());
+  internal.Fragments = 0;
+  internal.LongestList = 0;
+  gpu.HasLists = false;
+  while (internal.SweepTiles->Next(internal.Tile))
+  {
+    const vtkPixelRectangle& tile = internal.Tile;
+    internal.State->vtkglScissor(tile.Origin[0], tile.Origin[1], tile.Size[0], tile.Size[1]);
+    if (this->GatherTile(state))
+    {
+      gpu.HasLists = scale == 1 && tile == image;
+      work();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkExactTransparencyPass::GatherTile(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  const vtkPixelRectangle tile = internal.Tile;
   const vtkIdType pixels = tile.GetNumberOfPixels();
-  vtkFragmentTiles& tiles = this->Internal->Tiles;
-  vtkFragmentLists& lists = this->Internal->GPU->Lists;
+  vtkFragmentTiles& tiles = *internal.SweepTiles;
+  vtkFragmentLists& lists = internal.GPU->Lists;
 
   vtkIdType fragments = 0;
   vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * pixels);
   do
   {
-    if (!lists.Reserve(
-          pixels, nodes, this->Internal->GPU->Opaque.GetSamples(), this->Internal->Optimize))
+    if (!lists.Reserve(pixels, nodes, internal.GPU->Opaque.GetSamples(), internal.StoresImportance))
     {
       lists.Release();
       this->DivideForMemory(nodes);
-      return;
+      return false;
     }
     fragments = this->Gather(state);
     if (tiles.MustSplit(tile, fragments))
     {
       tiles.Split(tile, fragments);
-      return;
+      return false;
     }
     if (fragments > tiles.GetNodeCapacity())
     {
       this->GiveUp(fragments);
-      return;
+      return false;
     }
     // A quarter more, so that a slowly turning view does not grow the buffers every frame.
     nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit()));
@@ -459,22 +536,15 @@ void vtkExactTransparencyPass::RenderTile(const vtkRenderState* state, Sweep swe
 
   this->WarnOfMemory(fragments);
   this->Sort();
-  if (sweep == Sweep::Solve)
-  {
-    this->Solve();
-  }
-  else
-  {
-    this->Resolve();
-  }
   tiles.Finish(tile, fragments);
-  this->Statistics->SetFragments(this->Statistics->GetFragments() + fragments);
+  internal.Fragments += fragments;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
 {
-  vtkFragmentTiles& tiles = this->Internal->Tiles;
+  vtkFragmentTiles& tiles = *this->Internal->SweepTiles;
   tiles.LowerNodeCapacity(nodes / 2);
   if (this->Internal->Tile.GetNumberOfPixels() > LeastPixelsForMemory)
   {
@@ -489,7 +559,7 @@ void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::GiveUp(vtkIdType nodes)
 {
-  this->Internal->Tiles.Abandon();
+  this->Internal->SweepTiles->Abandon();
   if (!this->Internal->ReportedNoMemory)
   {
     const vtkPixelRectangle& tile = this->Internal->Tile;
@@ -505,7 +575,7 @@ void vtkExactTransparencyPass::GiveUp(vtkIdType nodes)
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
 {
-  const bool exceeds = fragments > this->Internal->Tiles.GetNodeLimit();
+  const bool exceeds = fragments > this->Internal->SweepTiles->GetNodeLimit();
   if (exceeds && !this->Internal->WarnedOfMemory)
   {
     vtkWarningMacro("One pixel has "
@@ -517,25 +587,6 @@ void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::BindGatherFramebuffer()
-{
-  // A framebuffer without attachments, as large as the tile reaches into the window, so that
-  // fragments have the same window coordinates as in the target.
-  const vtkPixelRectangle& tile = this->Internal->Tile;
-  GLuint& framebuffer = this->Internal->GPU->GatherFramebuffer;
-  if (framebuffer == 0)
-  {
-    glGenFramebuffers(1, &framebuffer);
-  }
-  this->Internal->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  this->Internal->State->vtkglDrawBuffer(GL_NONE);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, tile.Origin[0] + tile.Size[0]);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, tile.Origin[1] + tile.Size[1]);
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
 {
   Internals& internal = *this->Internal;
@@ -544,32 +595,29 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
   this->Statistics->SetGatherPasses(this->Statistics->GetGatherPasses() + 1);
   gpu.Lists.Clear(internal.Tile.GetNumberOfPixels());
   gpu.Lists.Bind();
-  if (internal.Optimize)
+  if (internal.StoresImportance)
   {
     gpu.Opacities.BindCorners();
   }
-  internal.State->PushFramebufferBindings();
-  this->BindGatherFramebuffer();
-  this->PreRender(state);
-  // All props, as VTK does: some draw translucent geometry without saying so before.
-  for (vtkProp* prop : GetProps(state))
-  {
-    internal.Prop = prop;
-    internal.PropTookPart = false;
-    if (prop->RenderTranslucentPolygonalGeometry(state->GetRenderer()) > 0)
+  this->DrawOffScreen(
+    [&]
     {
-      internal.RenderedProps.insert(prop);
-      if (!internal.PropTookPart)
-      {
-        internal.PropsToBlend.insert(prop);
-      }
-    }
-  }
-  internal.Prop = nullptr;
-  this->PostRender(state);
-  internal.State->PopFramebufferBindings();
+      this->PreRender(state);
+      gpu.Gather.DrawProps(state, internal.Tile, gpu.Lists, gpu.Opaque, internal.Scene);
+      this->PostRender(state);
+    });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return gpu.Lists.ReadCounters().GetFragments();
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::DrawOffScreen(const std::function<void()>& draw)
+{
+  Internals& internal = *this->Internal;
+  internal.State->PushFramebufferBindings();
+  internal.GPU->Gather.BindFramebuffer(internal.State, internal.Tile);
+  draw();
+  internal.State->PopFramebufferBindings();
 }
 
 //------------------------------------------------------------------------------
@@ -577,22 +625,14 @@ void vtkExactTransparencyPass::Sort()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  vtkIdType longest = 0;
-  {
-    vtkStageTimers::Scope stage(gpu.Timers, "sort");
-    internal.State->PushFramebufferBindings();
-    this->BindGatherFramebuffer();
-    gpu.Stages.Sort(internal.Window, gpu.Opaque, internal.Tile);
-    internal.State->PopFramebufferBindings();
-    const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
-    longest = counters.LongestList;
-    internal.LongLists = counters.LongLists;
-    if (internal.LongLists > 0 && !internal.Optimize)
-    {
-      longest = gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), {});
-    }
-  }
-  this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
+  vtkStageTimers::Scope stage(gpu.Timers, "sort");
+  this->DrawOffScreen([&] { gpu.Stages.Sort(internal.Window, gpu.Opaque, internal.Tile); });
+  const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
+  internal.LongLists = counters.LongLists;
+  const vtkIdType longest = internal.LongLists > 0
+    ? gpu.Lists.MeasureLongLists(internal.LongLists, gpu.Opaque.GetSamples())
+    : counters.LongestList;
+  internal.LongestList = std::max(internal.LongestList, longest);
 }
 
 //------------------------------------------------------------------------------
@@ -601,11 +641,9 @@ void vtkExactTransparencyPass::Solve()
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "solve");
-  internal.State->PushFramebufferBindings();
-  this->BindGatherFramebuffer();
+  gpu.Lists.ClearSolvedFragments();
   gpu.Opacities.BindTables();
-  gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile);
-  internal.State->PopFramebufferBindings();
+  this->DrawOffScreen([&] { gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile); });
   vtkIdType solved = gpu.Lists.ReadCounters().SolvedFragments;
   if (internal.LongLists > 0)
   {
@@ -623,10 +661,7 @@ void vtkExactTransparencyPass::SmoothOpacities()
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "smooth");
-  internal.State->PushFramebufferBindings();
   gpu.Opacities.Smooth(internal.Window, internal.Scene.GetSmoothingIterations());
-  internal.State->PopFramebufferBindings();
-  gpu.Lists.Bind();
 }
 
 //------------------------------------------------------------------------------
@@ -635,33 +670,35 @@ void vtkExactTransparencyPass::Resolve()
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
-  if (internal.Optimize)
+  const vtkPictureView view{ this->View, this->Layer, internal.LongestList };
+  if (internal.LongLists > 0)
   {
-    if (internal.LongLists > 0)
-    {
-      const vtkIdType longest = gpu.Lists.CollapseLongLists(
-        internal.LongLists, gpu.Opaque.GetSamples(), gpu.Opacities.Read());
-      this->Statistics->SetLongestList(std::max(this->Statistics->GetLongestList(), longest));
-    }
+    gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), view,
+      internal.StoresImportance ? gpu.Opacities.Read() : std::vector<float>());
+    gpu.HasLists = false;
+  }
+  if (internal.StoresImportance)
+  {
     gpu.Opacities.BindOpacities();
   }
-  gpu.Stages.Resolve(internal.Window, gpu.Opaque, internal.Tile);
+  gpu.Stages.Resolve(internal.Window, gpu.Opaque, internal.Tile, view);
 }
 
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 {
   Internals& internal = *this->Internal;
-  this->Statistics->SetBlendedProps(static_cast<int>(internal.PropsToBlend.size()));
-  if (internal.PropsToBlend.empty())
+  const std::set<vtkProp*>& props = internal.GPU->Gather.GetPropsWithoutHooks();
+  this->Statistics->SetBlendedProps(static_cast<int>(props.size()));
+  if (props.empty())
   {
     return;
   }
   vtkStageTimers::Scope stage(internal.GPU->Timers, "blend");
   const char* firstClass = nullptr;
-  for (vtkProp* prop : GetProps(state))
+  for (vtkProp* prop : vtkFragmentGather::GetProps(state))
   {
-    if (internal.PropsToBlend.count(prop) > 0)
+    if (props.count(prop) > 0)
     {
       firstClass = firstClass ? firstClass : prop->GetClassName();
       prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
@@ -669,8 +706,7 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
   }
   if (!internal.WarnedOfBlending)
   {
-    vtkWarningMacro(<< internal.PropsToBlend.size() << " translucent prop(s), the first a "
-                    << firstClass
+    vtkWarningMacro(<< props.size() << " translucent prop(s), the first a " << firstClass
                     << ", have a mapper that takes no part in render passes. They are blended over "
                        "the exact result, without regard to depth order.");
     internal.WarnedOfBlending = true;
@@ -681,13 +717,7 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 bool vtkExactTransparencyPass::PreReplaceShaderValues(
   std::string& vertexShader, std::string&, std::string&, vtkAbstractMapper* mapper, vtkProp*)
 {
-  if (this->Internal->FindMember(mapper))
-  {
-    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Dec",
-      std::string(vtkSurfaceImportanceVS) + "//VTK::PositionVC::Dec", false);
-    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Impl",
-      "pellucidPassImportance();\n//VTK::PositionVC::Impl", false);
-  }
+  this->Internal->GPU->Gather.EditVertexShader(vertexShader, mapper);
   return true;
 }
 
@@ -695,22 +725,7 @@ bool vtkExactTransparencyPass::PreReplaceShaderValues(
 bool vtkExactTransparencyPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  const bool optimize = this->Internal->Optimize;
-  const bool takesPart = this->Internal->FindMember(mapper) != nullptr;
-  const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
-  const std::string declarations =
-    vtkFragmentLists::GetShaderDefinitions(this->Internal->ShaderSamples, optimize) +
-    vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkOpaqueDepthDec +
-    (optimize ? vtkFragmentImportanceDec : "") + vtkFragmentAppendDec +
-    (takesPart ? vtkSurfaceImportanceDec : "");
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
-    "if (pellucidIsHidden(" + depth + ")) { discard; }\n", false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    std::string(takesPart ? "pellucidSetImportance();\n" : "") + "pellucidAppend(gl_FragData[0], " +
-      depth + ");\n",
-    false);
+  this->Internal->GPU->Gather.EditFragmentShader(fragmentShader, mapper);
   return true;
 }
 
@@ -718,32 +733,14 @@ bool vtkExactTransparencyPass::PostReplaceShaderValues(
 bool vtkExactTransparencyPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
-  Internals& internal = *this->Internal;
-  if (program->IsUniformUsed("pellucidNodeCapacity"))
-  {
-    internal.PropTookPart = true;
-    vtkFragmentStages::SetTile(program, internal.Tile);
-    internal.GPU->Opaque.SetUniforms(program);
-    program->SetUniformi(
-      "pellucidNodeCapacity", static_cast<int>(internal.GPU->Lists.GetNodeCapacity()));
-    const vtkOptimizedScene::Member* member = internal.FindOptimized(internal.Prop);
-    if (member && program->IsUniformUsed("pellucidFirstSegment"))
-    {
-      const vtkOptimizedScene::Part& part = member->FindPart(mapper);
-      program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
-      program->SetUniformi(
-        "pellucidFirstCorner", part.HasCorners ? static_cast<int>(part.FirstCorner) : -1);
-      program->SetUniformi("pellucidFirstCornerOpacity",
-        static_cast<int>(internal.Scene.GetNumberOfSegments() + part.FirstCorner));
-    }
-  }
+  this->Internal->GPU->Gather.SetUniforms(program, mapper);
   return true;
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkExactTransparencyPass::GetShaderStageMTime()
 {
-  return this->Internal->ShaderTime;
+  return this->Internal->GPU->Gather.GetShaderTime();
 }
 
 //------------------------------------------------------------------------------

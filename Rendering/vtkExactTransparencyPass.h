@@ -60,8 +60,9 @@
 #include "vtkSmartPointer.h"            // for GetOptimizedOpacities
 #include "vtkTransparencyStatistics.h"  // for GetStatistics
 
-#include <memory> // for std::unique_ptr
-#include <string> // for the reason
+#include <functional> // for the work on a tile
+#include <memory>     // for std::unique_ptr
+#include <string>     // for the reason
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -204,23 +205,20 @@ private:
 
   struct Internals;
 
-  /** What is done with the sorted lists of a tile. */
-  enum class Sweep
-  {
-    Solve,
-    Resolve
-  };
-
   bool KeepsStockPath(const vtkRenderState* state);
   void RenderGeometry(const vtkRenderState* state);
   void RenderTranslucentGeometry(const vtkRenderState* state);
-  bool PrepareOptimization(const vtkRenderState* state);
-  void RenderTiles(const vtkRenderState* state, const vtkPixelRectangle& image, Sweep sweep);
-  void RenderTile(const vtkRenderState* state, Sweep sweep);
+  void PrepareImportance(const vtkRenderState* state);
+  void ForgetWhatChanged(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void OptimizeOpacities(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void FadeOpacities();
+  void ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image, int scale,
+    const std::function<void()>& work);
+  bool GatherTile(const vtkRenderState* state);
   void DivideForMemory(vtkIdType nodes);
   void GiveUp(vtkIdType nodes);
   void WarnOfMemory(vtkIdType fragments);
-  void BindGatherFramebuffer();
+  void DrawOffScreen(const std::function<void()>& draw);
   vtkIdType Gather(const vtkRenderState* state);
   void Sort();
   void Solve();

@@ -8,6 +8,7 @@
 #include "vtkStorageBuffer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -66,7 +67,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool optimize)
+std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImportance)
 {
   std::ostringstream definitions;
   const auto define = [&definitions](const char* name, auto value)
@@ -77,11 +78,12 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool optimize)
   define("LONG_LISTS_BINDING", static_cast<int>(LongLists));
   define("IMPORTANCES_BINDING", static_cast<int>(Importances));
   define("POSITIONS_BINDING", static_cast<int>(Positions));
-  define("OPTIMIZE", optimize ? 1 : 0);
+  define("OPTIMIZE", storesImportance ? 1 : 0);
   define("SAMPLES", samples);
   define("MAXIMUM_SHADER_LIST", MaximumShaderList);
   // The sort takes up to one run more before it leaves a list to the CPU.
   define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
+  define("COLLAPSED", std::to_string(CollapsedBit) + "u");
   define("RUN_LENGTH", RunLength);
   define("LIST_LEVELS", GetNumberOfListLevels());
   define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
@@ -111,7 +113,8 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool optimize)
+bool vtkFragmentLists::Reserve(
+  vtkIdType pixels, vtkIdType nodes, int samples, bool storesImportance)
 {
   const vtkIdType nodeElements = std::max(nodes, this->NodeCapacity) + 1;
   const vtkIdType longLists = nodeElements / MaximumShaderList + 1;
@@ -121,7 +124,7 @@ bool vtkFragmentLists::Reserve(vtkIdType pixels, vtkIdType nodes, int samples, b
     this->Allocate(Colors, nodeElements * static_cast<vtkIdType>(sizeof(Color))) &&
     this->Allocate(
       LongLists, longLists * (1 + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t))) &&
-    (!optimize ||
+    (!storesImportance ||
       (this->Allocate(Importances, nodeElements * static_cast<vtkIdType>(sizeof(Importance))) &&
         this->Allocate(Positions, nodeElements * static_cast<vtkIdType>(sizeof(Position)))));
   this->NodeCapacity = allocated ? nodeElements - 1 : 0;
@@ -180,9 +183,19 @@ vtkFragmentLists::Counters vtkFragmentLists::ReadCounters() const
 }
 
 //------------------------------------------------------------------------------
+void vtkFragmentLists::ClearSolvedFragments()
+{
+  const std::uint32_t zero = 0;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Heads]);
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, offsetof(Counters, SolvedFragments), sizeof(zero), &zero);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
 template <typename Function>
 void vtkFragmentLists::ForLongLists(
-  std::uint32_t count, int samples, bool optimize, Function&& work)
+  std::uint32_t count, int samples, bool storesImportance, Function&& work)
 {
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   MappedBuffer<std::uint32_t> heads(this->Handles[Heads], this->Bytes[Heads]);
@@ -190,23 +203,23 @@ void vtkFragmentLists::ForLongLists(
   MappedBuffer<Link> links(this->Handles[Links], this->Bytes[Links]);
   MappedBuffer<Color> colors(this->Handles[Colors], this->Bytes[Colors]);
   MappedBuffer<Importance> importances(
-    optimize ? this->Handles[Importances] : 0, this->Bytes[Importances]);
-  MappedBuffer<Position> positions(optimize ? this->Handles[Positions] : 0, this->Bytes[Positions]);
+    storesImportance ? this->Handles[Importances] : 0, this->Bytes[Importances]);
+  MappedBuffer<Position> positions(
+    storesImportance ? this->Handles[Positions] : 0, this->Bytes[Positions]);
   if (!heads.Data || !entries.Data || !links.Data || !colors.Data ||
-    (optimize && (!importances.Data || !positions.Data)))
+    (storesImportance && (!importances.Data || !positions.Data)))
   {
     return;
   }
   const Nodes nodes{ links.Data, colors.Data, importances.Data, positions.Data };
-  const std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
+  std::uint32_t* pixelHeads = heads.Data + sizeof(Counters) / sizeof(std::uint32_t);
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const std::uint32_t* entry = entries.Data + i * (1 + samples);
-        vtkLongFragmentList list(nodes, pixelHeads[entry[0]]);
-        work(i, list, entry + 1);
+        work(i, nodes, pixelHeads[entry[0]], entry + 1);
       }
     });
 }
@@ -217,8 +230,8 @@ std::vector<vtkSegmentOpacities::SegmentOpacity> vtkFragmentLists::SolveLongList
 {
   std::vector<std::vector<vtkSegmentOpacities::SegmentOpacity>> solutions(count);
   this->ForLongLists(count, samples, true,
-    [&](vtkIdType i, const vtkLongFragmentList& list, const std::uint32_t*)
-    { list.Solve(scene, solutions[i]); });
+    [&](vtkIdType i, const Nodes& nodes, std::uint32_t head, const std::uint32_t*)
+    { vtkLongFragmentList(nodes, head).Solve(scene, solutions[i]); });
   std::vector<vtkSegmentOpacities::SegmentOpacity> all;
   for (const auto& solution : solutions)
   {
@@ -228,21 +241,33 @@ std::vector<vtkSegmentOpacities::SegmentOpacity> vtkFragmentLists::SolveLongList
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFragmentLists::CollapseLongLists(
-  std::uint32_t count, int samples, const std::vector<float>& opacities)
+vtkIdType vtkFragmentLists::MeasureLongLists(std::uint32_t count, int samples)
 {
   std::vector<vtkIdType> lengths(count);
-  this->ForLongLists(count, samples, !opacities.empty(),
-    [&](vtkIdType i, vtkLongFragmentList& list, const std::uint32_t* opaqueLimits)
+  this->ForLongLists(count, samples, false,
+    [&](vtkIdType i, const Nodes& nodes, std::uint32_t head, const std::uint32_t*)
     {
-      lengths[i] = list.GetLength();
-      if (!opacities.empty())
+      for (std::uint32_t node = head; node != 0; node = nodes.Links[node].Next)
       {
-        list.Fade(opacities);
+        ++lengths[i];
       }
-      list.Collapse(opaqueLimits, samples);
     });
   return *std::max_element(lengths.begin(), lengths.end());
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::CollapseLongLists(
+  std::uint32_t count, int samples, const vtkPictureView& view, const std::vector<float>& opacities)
+{
+  this->ForLongLists(count, samples, !opacities.empty(),
+    [&](vtkIdType, const Nodes& nodes, std::uint32_t& head, const std::uint32_t* opaqueLimits)
+    {
+      vtkLongFragmentList list(nodes, head);
+      list.Fade(opacities);
+      list.Show(view);
+      list.Collapse(opaqueLimits, samples);
+      head |= CollapsedBit;
+    });
 }
 
 //------------------------------------------------------------------------------

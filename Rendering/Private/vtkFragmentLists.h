@@ -10,8 +10,8 @@
  * | Links      | uvec2   | next node (0: none), window depth as bits                          |
  * | Colors     | uvec2   | straight colour and opacity, 64 bits                               |
  * | LongLists  | uint    | lists for the CPU: pixel, then opaque depth of each sample         |
- * | Importances | uvec2  | importance as bits, segment; where opacities are optimised         |
- * | Positions  | uvec2   | between which opacities; where opacities are optimised             |
+ * | Importances | uvec2  | importance as bits, segment; where they decide on opacities        |
+ * | Positions  | uvec2   | between which opacities; where these follow from importance        |
  *
  * Node 0 does not exist, so that 0 can end a list and clearing to 0 empties all of them.
  * A current OpenGL 4.3 context is needed by every function but the static ones.
@@ -32,6 +32,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOptimizedScene;
+struct vtkPictureView;
 
 class vtkFragmentLists
 {
@@ -42,6 +43,9 @@ public:
   static constexpr vtkIdType BytesPerNode = 16;
   static constexpr vtkIdType BytesPerOptimizedNode = 32;
   static constexpr vtkIdType BytesPerPixel = 4;
+
+  /** In a head: the CPU has collapsed the list. */
+  static constexpr std::uint32_t CollapsedBit = 0x80000000u;
 
   struct Counters
   {
@@ -96,9 +100,9 @@ public:
 
   /**
    * `#define`s for the shaders. `samples` is the number of samples of the target, at least 1; with
-   * `optimize` the nodes hold importances and positions too.
+   * `storesImportance` the nodes hold importances and positions too.
    */
-  static std::string GetShaderDefinitions(int samples, bool optimize);
+  static std::string GetShaderDefinitions(int samples, bool storesImportance);
 
   /** Most nodes that one buffer of this context can hold, whatever the memory limit. */
   static vtkIdType GetLargestNodeCapacity();
@@ -107,7 +111,7 @@ public:
    * Make room for the heads of so many pixels and so many nodes; never shrinks. Returns false, with
    * the old capacity untouched or 0, when OpenGL is out of memory.
    */
-  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool optimize);
+  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool storesImportance);
   vtkIdType GetNodeCapacity() const { return this->NodeCapacity; }
   vtkIdType GetBytes() const;
 
@@ -116,6 +120,10 @@ public:
   void Bind() const;
   static void Unbind();
   Counters ReadCounters() const;
+  void ClearSolvedFragments();
+
+  /** Length of the longest of the lists that were too long for the shader. */
+  vtkIdType MeasureLongLists(std::uint32_t count, int samples);
 
   /**
    * Find on the CPU the optimal opacities in the lists that were too long for the shader.
@@ -124,13 +132,13 @@ public:
     std::uint32_t count, int samples, const vtkOptimizedScene& scene);
 
   /**
-   * Sort and composite on the CPU the lists that were too long for the shader, with the optimised
-   * opacities of vtkSegmentOpacities, or where these are empty without. Each list becomes one node
-   * for every group of fragments that the same samples see, so that the resolve composites it like
-   * any other. Returns the longest length.
+   * Sort and composite on the CPU the lists that were too long for the shader, as the view shows
+   * them, with the opacities that vtkSegmentOpacities shows, or where these are empty without. Each
+   * list becomes one node for every group of fragments that the same samples see, which the resolve
+   * only composites.
    */
-  vtkIdType CollapseLongLists(
-    std::uint32_t count, int samples, const std::vector<float>& opacities);
+  void CollapseLongLists(std::uint32_t count, int samples, const vtkPictureView& view,
+    const std::vector<float>& opacities);
 
   void Release();
 
@@ -148,7 +156,7 @@ private:
   bool Allocate(Buffer buffer, vtkIdType bytes);
 
   template <typename Function>
-  void ForLongLists(std::uint32_t count, int samples, bool optimize, Function&& work);
+  void ForLongLists(std::uint32_t count, int samples, bool storesImportance, Function&& work);
 
   std::array<GLuint, NumberOfBuffers> Handles{};
   std::array<vtkIdType, NumberOfBuffers> Bytes{};

@@ -3,6 +3,7 @@
 
 #include "vtkFragmentStages.h"
 
+#include "vtkExactTransparencyPass.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
@@ -12,11 +13,34 @@
 #include "vtkOpaqueDepthDec.h"
 #include "vtkOpaqueLayer.h"
 #include "vtkOptimizedOpacityDec.h"
+#include "vtkPictureViewDec.h"
 #include "vtkSegmentOpacities.h"
 #include "vtkSegmentTablesDec.h"
 #include "vtkShaderProgram.h"
 
+#include <sstream>
+
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+//------------------------------------------------------------------------------
+std::string GetViewDefinitions(const vtkPictureView& view)
+{
+  using Pass = vtkExactTransparencyPass;
+  std::ostringstream definitions;
+  const auto define = [&definitions](const char* name, int value)
+  { definitions << "#define PELLUCID_VIEW" << name << " " << value << "\n"; };
+  define("", view.Kind);
+  define("_OPACITY", Pass::VIEW_OPACITY);
+  define("_IMPORTANCE", Pass::VIEW_IMPORTANCE);
+  define("_SEGMENTS", Pass::VIEW_SEGMENTS);
+  define("_LENGTH", Pass::VIEW_LENGTH);
+  define("_FIRST_LAYERS", Pass::VIEW_FIRST_LAYERS);
+  define("_LAYER", Pass::VIEW_LAYER);
+  return definitions.str();
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectangle& tile)
@@ -27,28 +51,33 @@ void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectang
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const char* fragmentShader, const std::string& moreDefinitions)
+  const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPictureView& view,
+  const std::string& moreDefinitions)
 {
   const std::string definitions =
-    vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->Optimize) +
-    vtkSegmentOpacities::GetShaderDefinitions() + moreDefinitions;
-  const auto whereOptimizing = [this](const char* code) { return this->Optimize ? code : ""; };
+    vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->StoresImportance) +
+    vtkSegmentOpacities::GetShaderDefinitions() + GetViewDefinitions(view) + moreDefinitions;
+  const auto whereStored = [this](const char* code) { return this->StoresImportance ? code : ""; };
   std::string source = fragmentShader;
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Definitions", definitions);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::OpaqueDepth", vtkOpaqueDepthDec);
   vtkShaderProgram::Substitute(
-    source, "//VTK::Pellucid::Importance", whereOptimizing(vtkFragmentImportanceDec));
+    source, "//VTK::Pellucid::Importance", whereStored(vtkFragmentImportanceDec));
   vtkShaderProgram::Substitute(
-    source, "//VTK::Pellucid::Segments", whereOptimizing(vtkSegmentTablesDec));
+    source, "//VTK::Pellucid::Segments", whereStored(vtkSegmentTablesDec));
   vtkShaderProgram::Substitute(
-    source, "//VTK::Pellucid::Opacity", whereOptimizing(vtkOptimizedOpacityDec));
+    source, "//VTK::Pellucid::Opacity", whereStored(vtkOptimizedOpacityDec));
 
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::View", view.Kind == 0 ? "" : vtkPictureViewDec);
   this->Stage.Draw(window, source,
     [&](vtkShaderProgram* program)
     {
       vtkFragmentStages::SetTile(program, tile);
       opaque.SetUniforms(program);
+      program->SetUniformi("pellucidLayer", view.Layer);
+      program->SetUniformi("pellucidLongestOfPicture", static_cast<int>(view.LongestList));
     });
 }
 
@@ -69,13 +98,15 @@ void vtkFragmentStages::Solve(
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentStages::Resolve(
-  vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
+void vtkFragmentStages::Resolve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const vtkPictureView& view)
 {
-  this->Draw(window, opaque, tile, vtkFragmentResolveFS, "#define PELLUCID_SAMPLE_SHADING 0\n");
+  this->Draw(
+    window, opaque, tile, vtkFragmentResolveFS, view, "#define PELLUCID_SAMPLE_SHADING 0\n");
   if (opaque.GetSamples() > 1)
   {
-    this->Draw(window, opaque, tile, vtkFragmentResolveFS, "#define PELLUCID_SAMPLE_SHADING 1\n");
+    this->Draw(
+      window, opaque, tile, vtkFragmentResolveFS, view, "#define PELLUCID_SAMPLE_SHADING 1\n");
   }
 }
 

@@ -9,6 +9,7 @@
 #define vtkFragmentStages_h
 
 #include "vtkFragmentTiles.h" // for vtkPixelRectangle
+#include "vtkPictureView.h"
 #include "vtkStageDraw.h"
 
 #include <string>
@@ -45,11 +46,11 @@ public:
    * Composite the sorted lists over the opaque layer into the current framebuffer. May be repeated:
    * the result does not depend on what the framebuffer holds.
    */
-  void Resolve(
-    vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+  void Resolve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, const vtkPictureView& view);
 
-  /** Whether the nodes hold importances, and the opacities are optimised. */
-  void SetOptimize(bool optimize) { this->Optimize = optimize; }
+  /** Whether the nodes hold importances. */
+  void SetStoresImportance(bool stores) { this->StoresImportance = stores; }
 
   /** Set the uniforms of glsl/vtkFragmentListsDec.glsl. */
   static void SetTile(vtkShaderProgram* program, const vtkPixelRectangle& tile);
@@ -58,10 +59,10 @@ public:
 
 private:
   void Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPictureView& view = {},
     const std::string& moreDefinitions = std::string());
 
-  bool Optimize = false;
+  bool StoresImportance = false;
   vtkStageDraw Stage;
 };
 

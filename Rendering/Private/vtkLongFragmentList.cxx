@@ -4,7 +4,10 @@
 #include "vtkLongFragmentList.h"
 
 #include "OpacitySolution.h"
+#include "ViewColors.h"
+#include "vtkExactTransparencyPass.h"
 #include "vtkOptimizedScene.h"
+#include "vtkPictureView.h"
 
 #include <algorithm>
 #include <array>
@@ -143,8 +146,53 @@ void vtkLongFragmentList::Fade(const std::vector<float>& opacities)
 {
   for (Fragment& fragment : this->Fragments)
   {
-    fragment.Fading = vtkSegmentOpacities::Interpolate(
-      opacities, fragment.Position.Opacity, fragment.Position.Share);
+    fragment.Factor = opacities.empty() ? 1.0
+                                        : vtkSegmentOpacities::Interpolate(opacities,
+                                            fragment.Position.Opacity, fragment.Position.Share);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLongFragmentList::Show(const vtkPictureView& view)
+{
+  using Pass = vtkExactTransparencyPass;
+  if (view.Kind == Pass::VIEW_PICTURE)
+  {
+    return;
+  }
+  const double length = static_cast<double>(this->Fragments.size());
+  int layer = 0;
+  for (Fragment& fragment : this->Fragments)
+  {
+    ++layer;
+    const auto replace = [&fragment](const auto& color)
+    {
+      fragment.Color = Pack({ { color.x, color.y, color.z }, 1.0 });
+      fragment.Factor = 1.0;
+    };
+    switch (view.Kind)
+    {
+      case Pass::VIEW_FIRST_LAYERS:
+        fragment.Factor *= layer <= view.Layer ? 1.0 : 0.0;
+        break;
+      case Pass::VIEW_LAYER:
+        fragment.Factor *= layer == view.Layer ? 1.0 : 0.0;
+        break;
+      case Pass::VIEW_OPACITY:
+        replace(pellucid::HotColor(fragment.Factor));
+        break;
+      case Pass::VIEW_IMPORTANCE:
+        replace(pellucid::HotColor<double>(ToFloat(fragment.Importance.Bits)));
+        break;
+      case Pass::VIEW_SEGMENTS:
+        replace(pellucid::SegmentColor<double>(fragment.Importance.Segment));
+        break;
+      case Pass::VIEW_LENGTH:
+        replace(pellucid::HotColor(length / static_cast<double>(view.LongestList)));
+        break;
+      default:
+        break;
+    }
   }
 }
 
@@ -169,15 +217,11 @@ void vtkLongFragmentList::Collapse(const std::uint32_t* opaqueLimits, int sample
       [&accumulator](const Fragment& member)
       {
         Layer layer = Unpack(member.Color);
-        layer.Alpha *= member.Fading;
+        layer.Alpha *= member.Factor;
         accumulator.Add(layer);
       });
     this->Nodes.Colors[node] = Pack(accumulator.GetLayer());
     this->Nodes.Links[node].DepthBits = fragment->DepthBits;
-    if (this->Nodes.Positions)
-    {
-      this->Nodes.Positions[node] = {}; // not to be faded again
-    }
     fragment = groupEnd;
     if (fragment == this->Fragments.end())
     {

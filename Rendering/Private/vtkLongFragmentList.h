@@ -17,22 +17,25 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOptimizedScene;
+struct vtkPictureView;
 
 class vtkLongFragmentList
 {
 public:
-  /** The list that starts at node `head`, in any order; it is read and sorted, not changed. */
+  /** The list that starts at node `head`, in any order; it is read and sorted; only Collapse()
+   * changes it. */
   vtkLongFragmentList(const vtkFragmentLists::Nodes& nodes, std::uint32_t head);
-
-  vtkIdType GetLength() const { return static_cast<vtkIdType>(this->Fragments.size()); }
 
   /** Append the optimal opacity of each fragment, in double precision, with its segment. */
   void Solve(const vtkOptimizedScene& scene,
     std::vector<vtkSegmentOpacities::SegmentOpacity>& opacities) const;
 
-  /** Multiply the opacity of each fragment by the optimised one; see
-   * glsl/vtkOptimizedOpacityDec.glsl. */
+  /** Multiply the opacity of each fragment by the one that follows from importance, if there are
+   * any; see glsl/vtkOptimizedOpacityDec.glsl. */
   void Fade(const std::vector<float>& opacities);
+
+  /** Change each fragment to what the view shows of it; see glsl/vtkPictureViewDec.glsl. */
+  void Show(const vtkPictureView& view);
 
   /**
    * Composite in double precision all fragments between two neighbouring opaque depths into one
@@ -48,7 +51,7 @@ private:
     vtkFragmentLists::Color Color;
     vtkFragmentLists::Importance Importance;
     vtkFragmentLists::Position Position;
-    double Fading;
+    double Factor; ///< on the opacity
   };
 
   vtkFragmentLists::Nodes Nodes;

@@ -197,6 +197,9 @@ void vtkOpaqueLayer::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformi("pellucidOpaqueColor", this->Units[ColorTexture]);
   program->SetUniformi("pellucidOpaqueDepth", this->Units[DepthTexture]);
   program->SetUniform2i("pellucidOpaqueOrigin", this->Origin.data());
+  const std::array<int, 2> size{ this->Layout.Width, this->Layout.Height };
+  program->SetUniform2i("pellucidOpaqueSize", size.data());
+  program->SetUniformi("pellucidOpaqueScale", this->Scale);
   program->SetUniformf("pellucidDepthResolution", resolution);
 }
 

@@ -32,6 +32,10 @@ public:
   /** Copy the viewport (x, y, width, height) of the current draw framebuffer. */
   void Copy(vtkOpenGLState* state, const std::array<int, 4>& viewport);
 
+  /** Let a pixel of the stages that come be so many pixels wide and high, which the one in their
+   * middle stands for. */
+  void SetScale(int scale) { this->Scale = scale; }
+
   /** Samples of the framebuffer that was copied, at least 1. */
   int GetSamples() const { return this->Layout.Samples; }
   vtkIdType GetBytes() const;
@@ -76,6 +80,7 @@ private:
 
   Format Layout;
   std::array<int, 2> Origin{};
+  int Scale = 1;
   GLuint Framebuffer = 0;
   std::array<GLuint, NumberOfTextures> Textures{};
   std::array<int, NumberOfTextures> Units{ -1, -1 };

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -101,14 +102,14 @@ bool CanAvoid(const vtkOptimizedScene::Parameters& actor)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOptimizedScene::Source::operator==(const Source& other) const
+bool vtkOptimizedScene::Source::HasSegmentsOf(const Source& other) const
 {
-  return std::tie(this->Prop, this->Settings, this->SettingsTime, this->Leaves, this->LeafTimes) ==
-    std::tie(other.Prop, other.Settings, other.SettingsTime, other.Leaves, other.LeafTimes);
+  return std::tie(this->Prop, this->Optimizes, this->Leaves, this->LeafTimes) ==
+    std::tie(other.Prop, other.Optimizes, other.Leaves, other.LeafTimes);
 }
 
 //------------------------------------------------------------------------------
-bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
+vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
 {
   std::vector<Source> sources;
   for (vtkProp* prop : props)
@@ -121,7 +122,8 @@ bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
       continue;
     }
     actor->GetMapper()->Update();
-    Source source{ prop, settings, settings->GetMTime(), {}, {} };
+    const bool optimizes = vtkOpacityOptimization::SafeDownCast(settings) != nullptr;
+    Source source{ prop, settings, settings->GetMTime(), optimizes, {}, {} };
     source.Leaves =
       vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
     for (vtkPolyData* leaf : source.Leaves)
@@ -133,42 +135,62 @@ bool vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
       sources.push_back(source);
     }
   }
-  if (sources == this->Sources)
-  {
-    return false;
-  }
-  this->Clear();
+  const bool sameSegments =
+    std::equal(sources.begin(), sources.end(), this->Sources.begin(), this->Sources.end(),
+      [](const Source& source, const Source& before) { return source.HasSegmentsOf(before); });
+  const bool sameSettings = sameSegments &&
+    std::equal(sources.begin(), sources.end(), this->Sources.begin(),
+      [](const Source& source, const Source& before)
+      { return source.Settings == before.Settings && source.SettingsTime == before.SettingsTime; });
   this->Sources = std::move(sources);
-  for (const Source& source : this->Sources)
+  if (!sameSegments)
   {
-    this->AddActor(source);
+    this->ClearSegments();
+    for (const Source& source : this->Sources)
+    {
+      this->AddActor(source);
+    }
+    this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
   }
-  this->FirstNeighbors.push_back(static_cast<std::uint32_t>(this->Neighbors.size()));
-  return true;
+  if (!sameSettings)
+  {
+    this->AddSettings();
+  }
+  return sameSettings ? Change::None : (sameSegments ? Change::Settings : Change::Segments);
 }
 
 //------------------------------------------------------------------------------
-void vtkOptimizedScene::Clear()
+void vtkOptimizedScene::ClearSegments()
 {
   this->Members.clear();
-  this->ActorParameters.assign(1, Parameters());
   this->ActorOfSegment.assign(1, 0);
   this->FirstNeighbors.assign(1, 0);
   this->Neighbors.clear();
   this->Corners.clear();
+  this->ToldArrays.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkOptimizedScene::AddSettings()
+{
+  this->ActorParameters.assign(1, Parameters());
   this->MissingArrays.clear();
   this->LeastImportance = VTK_DOUBLE_MAX;
-  this->GreatestImportance = VTK_DOUBLE_MIN;
+  this->GreatestImportance = -VTK_DOUBLE_MAX;
+  for (const Source& source : this->Sources)
+  {
+    this->ActorParameters.push_back(MakeParameters(source.Settings));
+    this->Members[source.Prop].Settings = source.Settings;
+    this->AddImportances(source);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOptimizedScene::AddActor(const Source& source)
 {
-  const auto actor = static_cast<std::uint32_t>(this->ActorParameters.size());
-  this->ActorParameters.push_back(MakeParameters(source.Settings));
+  const auto actor = static_cast<std::uint32_t>(this->Members.size() + 1);
   Member& member = this->Members[source.Prop];
-  member.Settings = source.Settings;
-  member.Avoids = this->ActorParameters.back().Avoids != 0;
+  member.Avoids = !source.Optimizes;
   for (vtkPolyData* leaf : source.Leaves)
   {
     Part part;
@@ -181,7 +203,6 @@ void vtkOptimizedScene::AddActor(const Source& source)
     {
       this->AddSegments(leaf, actor, part);
     }
-    this->AddImportances(leaf, member);
     member.Parts.push_back(part);
   }
 }
@@ -319,23 +340,26 @@ void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
 }
 
 //------------------------------------------------------------------------------
-void vtkOptimizedScene::AddImportances(vtkPolyData* data, const Member& member)
+void vtkOptimizedScene::AddImportances(const Source& source)
 {
-  const char* name = member.Settings->GetImportanceArray();
-  vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
-  double range[2] = { 0.0, 0.0 };
-  if (array && array->GetNumberOfComponents() == 1)
+  const char* name = source.Settings->GetImportanceArray();
+  for (vtkPolyData* leaf : source.Leaves)
   {
-    array->GetFiniteRange(range);
-  }
-  else
-  {
-    this->MissingArrays.emplace_back(name ? name : "");
-  }
-  if (!member.Avoids)
-  {
-    this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
-    this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+    vtkDataArray* array = name ? leaf->GetPointData()->GetArray(name) : nullptr;
+    double range[2] = { 0.0, 0.0 };
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      array->GetFiniteRange(range);
+    }
+    else
+    {
+      this->MissingArrays.insert(name ? name : "");
+    }
+    if (source.Optimizes)
+    {
+      this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
+      this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+    }
   }
 }
 
@@ -384,6 +408,16 @@ void vtkOptimizedScene::MapImportances() const
         source.Settings->GetImportanceArray(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkOptimizedScene::TakeMissingArrays()
+{
+  std::vector<std::string> news;
+  std::set_difference(this->MissingArrays.begin(), this->MissingArrays.end(),
+    this->ToldArrays.begin(), this->ToldArrays.end(), std::back_inserter(news));
+  this->ToldArrays.insert(news.begin(), news.end());
+  return news;
 }
 
 //------------------------------------------------------------------------------

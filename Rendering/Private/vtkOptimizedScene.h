@@ -17,8 +17,8 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -92,8 +92,16 @@ public:
     float Weights[4];
   };
 
-  /** Take the actors among the props. Returns whether the tables are other ones than before. */
-  bool Update(const std::vector<vtkProp*>& props);
+  /** What has changed in the tables, each with what comes before it. */
+  enum class Change
+  {
+    None,
+    Settings, ///< GetParameters(), and importances
+    Segments  ///< all
+  };
+
+  /** Take the actors among the props. Returns what is not as it was before. */
+  Change Update(const std::vector<vtkProp*>& props);
 
   /**
    * Whether an optimisation can fade anything: one of its actors has a weight above 0, and the
@@ -129,8 +137,8 @@ public:
   /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. */
   void MapImportances() const;
 
-  /** Importance arrays that the data of an actor lacks, each once after an update. */
-  std::vector<std::string> TakeMissingArrays() { return std::move(this->MissingArrays); }
+  /** Importance arrays that the data of an actor lacks; each is told once, until data change. */
+  std::vector<std::string> TakeMissingArrays();
 
   /** Whether the arrays of vtkTrajectorySegments are there. */
   static bool HasLineSegments(vtkPolyData* data);
@@ -144,19 +152,23 @@ private:
     vtkProp* Prop;
     vtkImportanceDrivenOpacity* Settings;
     vtkMTimeType SettingsTime;
+    bool Optimizes; ///< the settings are a vtkOpacityOptimization: there are segments
     std::vector<vtkPolyData*> Leaves;
     std::vector<vtkMTimeType> LeafTimes;
-    bool operator==(const Source& other) const;
+
+    /** Whether the segments of the other are the same. */
+    bool HasSegmentsOf(const Source& other) const;
   };
 
-  void Clear();
+  void ClearSegments();
+  void AddSettings();
   void AddActor(const Source& source);
   void AddSegments(vtkPolyData* data, std::uint32_t actor, Part& part);
   void AddLoneSegment(std::uint32_t actor, Part& part);
   void AddLineNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddSurfaceNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddCorners(vtkPolyData* data, Part& part);
-  void AddImportances(vtkPolyData* data, const Member& member);
+  void AddImportances(const Source& source);
 
   std::vector<Source> Sources;
   std::map<vtkProp*, Member> Members;
@@ -165,7 +177,8 @@ private:
   std::vector<std::uint32_t> FirstNeighbors;
   std::vector<std::uint32_t> Neighbors;
   std::vector<Corner> Corners;
-  std::vector<std::string> MissingArrays;
+  std::set<std::string> MissingArrays;
+  std::set<std::string> ToldArrays;
 
   // Of the actors whose opacities are optimised.
   double LeastImportance = 0.0;

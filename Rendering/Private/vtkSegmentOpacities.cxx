@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOptimizedScene.h"
+#include "vtkSegmentFadeFS.h"
 #include "vtkSegmentSmoothFS.h"
 #include "vtkSegmentTablesDec.h"
 #include "vtkShaderProgram.h"
@@ -78,8 +79,24 @@ bool vtkSegmentOpacities::Allocate(Buffer buffer, vtkIdType bytes, const void* d
 }
 
 //------------------------------------------------------------------------------
+template <typename Table>
+bool vtkSegmentOpacities::Put(Buffer buffer, const Table& table)
+{
+  return this->Allocate(
+    buffer, static_cast<vtkIdType>(table.size() * sizeof(table.front())), table.data());
+}
+
+//------------------------------------------------------------------------------
+bool vtkSegmentOpacities::UploadSettings(const vtkOptimizedScene& scene)
+{
+  return this->Put(Actors, scene.GetParameters());
+}
+
+//------------------------------------------------------------------------------
 bool vtkSegmentOpacities::Upload(const vtkOptimizedScene& scene)
 {
+  this->Shown = Source;
+  this->HasSolution = false;
   this->NumberOfSegments = scene.GetNumberOfSegments();
   this->NumberOfCorners = static_cast<vtkIdType>(scene.GetCorners().size());
   std::vector<std::uint32_t> segments;
@@ -88,17 +105,12 @@ bool vtkSegmentOpacities::Upload(const vtkOptimizedScene& scene)
   {
     segments.insert(segments.end(), { Unseen, actor });
   }
-  const auto put = [this](Buffer buffer, const auto& table)
-  {
-    return this->Allocate(
-      buffer, static_cast<vtkIdType>(table.size() * sizeof(table.front())), table.data());
-  };
   const auto opacityBytes =
     static_cast<vtkIdType>(sizeof(float)) * (this->NumberOfSegments + this->NumberOfCorners);
-  return put(Segments, segments) && put(Actors, scene.GetParameters()) &&
-    put(FirstNeighbors, scene.GetFirstNeighbors()) && put(Neighbors, scene.GetNeighbors()) &&
-    put(Corners, scene.GetCorners()) && this->Allocate(Source, opacityBytes, nullptr) &&
-    this->Allocate(Target, opacityBytes, nullptr);
+  return this->Put(Segments, segments) && this->UploadSettings(scene) &&
+    this->Put(FirstNeighbors, scene.GetFirstNeighbors()) &&
+    this->Put(Neighbors, scene.GetNeighbors()) && this->Put(Corners, scene.GetCorners()) &&
+    this->Allocate(Source, opacityBytes, nullptr) && this->Allocate(Target, opacityBytes, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +129,7 @@ void vtkSegmentOpacities::BindCorners() const
 //------------------------------------------------------------------------------
 void vtkSegmentOpacities::BindOpacities() const
 {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OpacitiesBinding, this->Handles[Source]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OpacitiesBinding, this->Handles[this->Shown]);
 }
 
 //------------------------------------------------------------------------------
@@ -130,33 +142,98 @@ void vtkSegmentOpacities::Unbind()
 //------------------------------------------------------------------------------
 void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
 {
-  vtkOpenGLState* state = window->GetState();
-  if (this->Framebuffer == 0)
+  this->DrawOffScreen(window,
+    [&]
+    {
+      this->BindTables();
+      const auto bind = [this](GLuint binding, Buffer buffer)
+      { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Handles[buffer]); };
+      bind(FirstNeighborsBinding, FirstNeighbors);
+      bind(NeighborsBinding, Neighbors);
+      for (int iteration = 0; iteration <= iterations; ++iteration)
+      {
+        bind(SourceBinding, Source);
+        bind(TargetBinding, Target);
+        this->DrawStep(window, vtkSegmentSmoothFS, this->NumberOfSegments,
+          [iteration](vtkShaderProgram* program) { program->SetUniformi("iteration", iteration); });
+        std::swap(this->Handles[Source], this->Handles[Target]);
+      }
+    });
+  this->HasSolution = true;
+  if (this->Shown == Faded)
   {
-    glGenFramebuffers(1, &this->Framebuffer);
+    this->Fade(window, 0.0);
   }
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  state->vtkglDrawBuffer(GL_NONE);
-  vtkOpenGLState::ScopedglViewport viewportSaver(state);
-  vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_SCISSOR_TEST);
+  else
+  {
+    this->InterpolateCorners(window);
+  }
+}
 
-  this->BindTables();
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, FirstNeighborsBinding, this->Handles[FirstNeighbors]);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NeighborsBinding, this->Handles[Neighbors]);
-  for (int iteration = 0; iteration <= iterations; ++iteration)
+//------------------------------------------------------------------------------
+bool vtkSegmentOpacities::StartFading()
+{
+  if (this->Shown == Faded)
   {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SourceBinding, this->Handles[Source]);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Target]);
-    this->DrawStep(window, vtkSegmentSmoothFS, this->NumberOfSegments, iteration);
-    std::swap(this->Handles[Source], this->Handles[Target]);
+    return true;
   }
-  if (this->NumberOfCorners > 0)
+  if (!this->Allocate(Faded, this->Bytes[Source], nullptr))
   {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, CornersBinding, this->Handles[Corners]);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Source]);
-    this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners, 0);
+    return false;
   }
+  this->Shown = Faded;
+  glBindBuffer(GL_COPY_READ_BUFFER, this->Handles[Source]);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handles[Faded]);
+  if (this->HasSolution)
+  {
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+      static_cast<GLsizeiptr>(this->Bytes[Source]));
+  }
+  else
+  {
+    const float unseen = -1.0f;
+    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32F, GL_RED, GL_FLOAT, &unseen);
+  }
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSegmentOpacities::StopFading()
+{
+  // Those of the corners were interpolated from the faded ones only.
+  const bool wasFading = this->Shown == Faded;
+  this->Shown = Source;
+  return wasFading;
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Fade(vtkOpenGLRenderWindow* window, double share)
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SourceBinding, this->Handles[Source]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Faded]);
+  this->DrawOffScreen(window,
+    [&]
+    {
+      this->DrawStep(window, vtkSegmentFadeFS, this->NumberOfSegments,
+        [share](vtkShaderProgram* program)
+        { program->SetUniformf("share", static_cast<float>(share)); });
+    });
+  this->InterpolateCorners(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::InterpolateCorners(vtkOpenGLRenderWindow* window)
+{
+  if (this->NumberOfCorners == 0)
+  {
+    return;
+  }
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, CornersBinding, this->Handles[Corners]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[this->Shown]);
+  this->DrawOffScreen(
+    window, [&] { this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners); });
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +261,7 @@ std::vector<float> vtkSegmentOpacities::Read() const
 {
   std::vector<float> opacities(this->NumberOfSegments + this->NumberOfCorners);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Source]);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[this->Shown]);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
     static_cast<GLsizeiptr>(opacities.size() * sizeof(float)), opacities.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
@@ -223,8 +300,29 @@ double vtkSegmentOpacities::Interpolate(
 }
 
 //------------------------------------------------------------------------------
-void vtkSegmentOpacities::DrawStep(
-  vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements, int iteration)
+void vtkSegmentOpacities::DrawOffScreen(
+  vtkOpenGLRenderWindow* window, const std::function<void()>& draw)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (this->Framebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglDrawBuffer(GL_NONE);
+  {
+    vtkOpenGLState::ScopedglViewport viewportSaver(state);
+    vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    draw();
+  }
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::DrawStep(vtkOpenGLRenderWindow* window, const char* fragmentShader,
+  vtkIdType elements, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   std::string source = fragmentShader;
   vtkShaderProgram::Substitute(
@@ -240,8 +338,11 @@ void vtkSegmentOpacities::DrawStep(
     {
       program->SetUniformi("elementCount", static_cast<int>(elements));
       program->SetUniformi("rowLength", width);
-      program->SetUniformi("iteration", iteration);
       program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
+      if (setUniforms)
+      {
+        setUniforms(program);
+      }
     });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -268,6 +369,8 @@ void vtkSegmentOpacities::Release()
   this->NumberOfSegments = 0;
   this->NumberOfCorners = 0;
   this->Framebuffer = 0;
+  this->Shown = Source;
+  this->HasSolution = false;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -4,14 +4,15 @@
  * The opacities of the segments of a vtkOptimizedScene in graphics memory, from the least opacity
  * of their fragments, which vtkFragmentStages::Solve() finds, to those that the resolve looks up.
  *
- * | buffer         | element  | content                                                         |
- * | -------------- | -------- | --------------------------------------------------------------- |
- * | Segments       | uvec2    | least opacity of its fragments as bits, actor                   |
+ * | buffer         | element | content                                                         |
+ * | -------------- | ------- | --------------------------------------------------------------- |
+ * | Segments       | uvec2   | least opacity of its fragments as bits, actor                   |
  * | Actors         | 13 words | vtkOptimizedScene::Parameters                                   |
- * | FirstNeighbors | uint     | first entry of each segment in Neighbors, and the end           |
- * | Neighbors      | uint     | segments                                                        |
- * | Corners        | 8 words  | vtkOptimizedScene::Corner                                       |
- * | Source, Target | float    | opacity of each segment, then of each corner; negative: unknown |
+ * | FirstNeighbors | uint    | first entry of each segment in Neighbors, and the end           |
+ * | Neighbors      | uint    | segments                                                        |
+ * | Corners        | 8 words | vtkOptimizedScene::Corner                                       |
+ * | Source, Target | float   | opacity of each segment, then of each corner; negative: unknown |
+ * | Faded          | float   | the same, on its way to Source; where opacities fade            |
  *
  * A current OpenGL 4.3 context is needed by every function but the static ones.
  */
@@ -24,6 +25,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOpenGLRenderWindow;
 class vtkOptimizedScene;
+class vtkShaderProgram;
 
 class vtkSegmentOpacities
 {
@@ -50,8 +53,12 @@ public:
   /** `#define`s for the shaders, which go with those of vtkFragmentLists. */
   static std::string GetShaderDefinitions();
 
-  /** Take the tables of a scene. Returns false when OpenGL is out of memory. */
+  ///@{
+  /** Take the tables of a scene, or only the settings of its actors. Returns false when OpenGL is
+   * out of memory. */
   bool Upload(const vtkOptimizedScene& scene);
+  bool UploadSettings(const vtkOptimizedScene& scene);
+  ///@}
 
   ///@{
   /** Bind what the gather, and what the solve needs. */
@@ -61,10 +68,24 @@ public:
 
   /**
    * Take the least opacities of the fragments, which are forgotten for the next frame, smooth them
-   * so many times, and interpolate at the corners. Draws into a framebuffer of its own; the caller
-   * saves the current one.
+   * so many times, and interpolate at the corners.
    */
   void Smooth(vtkOpenGLRenderWindow* window, int iterations);
+
+  /**
+   * Let what is shown from now on, until StopFading(), follow the smoothed opacities only as Fade()
+   * says; only segments that were not shown before have theirs at once. The first returns whether
+   * it does: OpenGL may be out of memory; the second, whether the smoothed opacities are to be
+   * found anew.
+   */
+  bool StartFading();
+  bool StopFading();
+
+  /** Move what is shown by this share, in [0,1], of the way towards the smoothed opacities. */
+  void Fade(vtkOpenGLRenderWindow* window, double share);
+
+  /** Whether Smooth() has run for these segments. */
+  bool HasSolved() const { return this->HasSolution; }
 
   /** Lower the least opacities of segments to these; between the solve and Smooth(). */
   void Lower(const std::vector<SegmentOpacity>& opacities);
@@ -92,17 +113,24 @@ private:
     Corners,
     Source,
     Target,
+    Faded,
     NumberOfBuffers
   };
 
   bool Allocate(Buffer buffer, vtkIdType bytes, const void* data);
-  void DrawStep(
-    vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements, int iteration);
+  template <typename Table>
+  bool Put(Buffer buffer, const Table& table);
+  void DrawOffScreen(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
+  void DrawStep(vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements,
+    const std::function<void(vtkShaderProgram*)>& setUniforms = {});
+  void InterpolateCorners(vtkOpenGLRenderWindow* window);
 
   std::array<GLuint, NumberOfBuffers> Handles{};
   std::array<vtkIdType, NumberOfBuffers> Bytes{};
   vtkIdType NumberOfSegments = 0;
   vtkIdType NumberOfCorners = 0;
+  Buffer Shown = Source;
+  bool HasSolution = false; ///< in Source
   GLuint Framebuffer = 0;
   vtkStageDraw Stage;
 };

@@ -13,7 +13,9 @@ layout(std430, binding = PELLUCID_HEADS_BINDING) buffer PellucidHeads
   uint pellucidLongestList;       // of the lists that the sort saw as a whole
   uint pellucidLongListCount;     // lists that are left to the CPU
   uint pellucidSolvedCount;       // fragments whose opacity was optimised
-  uint pellucidHeads[];           // first node of each pixel of the tile, 0: none
+  // First node of each pixel of the tile, 0: none. With PELLUCID_COLLAPSED set, the CPU has taken the
+  // list's fragments together to what each sample sees.
+  uint pellucidHeads[];
 };
 
 // x: the next node, 0 at the end; y: window depth as bits, which order as the non-negative floats do

@@ -7,8 +7,8 @@
 // two draws: PELLUCID_SAMPLE_SHADING 0 for pixels whose samples all have the same result, then 1,
 // once for each sample of the others.
 //
-// Reads: heads, links, colours, the copied opaque colour and depth, the optimised opacities. Writes: the
-// pixel's colour.
+// Reads: heads, links, colours, the copied opaque colour and depth, the optimised opacities, and what the
+// view shows. Writes: the pixel's colour.
 //
 // Front-to-back compositing: M. Bandle 2016, equations 2.3 and 2.4, with premultiplied accumulation.
 
@@ -16,6 +16,7 @@
 //VTK::Pellucid::Importance
 //VTK::Pellucid::Opacity
 //VTK::Pellucid::OpaqueDepth
+//VTK::Pellucid::View
 
 #if PELLUCID_SAMPLES > 1
 uniform sampler2DMS pellucidOpaqueColor;
@@ -64,7 +65,9 @@ void main()
 {
   ivec2 windowPixel = ivec2(gl_FragCoord.xy);
   int pixel = pellucidPixelIndex(windowPixel);
-  uint node = pixel < 0 ? 0u : pellucidHeads[pixel];
+  uint head = pixel < 0 ? 0u : pellucidHeads[pixel];
+  uint node = head & ~PELLUCID_COLLAPSED;
+  bool collapsed = node != head; // the CPU has applied all but the compositing
   if (node == 0u)
   {
     discard;
@@ -83,6 +86,7 @@ void main()
   uint limit = floatBitsToUint(pellucidOpaqueLimit(windowPixel, sampleIndex));
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
+  int layer = 0;
   while (node != 0u && transmittance > PELLUCID_NEGLIGIBLE_TRANSMITTANCE)
   {
     uvec2 link = pellucidLinks[node];
@@ -91,8 +95,14 @@ void main()
       break;
     }
     vec4 fragment = pellucidUnpackColor(pellucidColors[node]);
+    float factor = 1.0;
 #if PELLUCID_OPTIMIZE
-    fragment.a *= pellucidOptimizedOpacity(pellucidPositions[node]);
+    factor = collapsed ? 1.0 : pellucidOptimizedOpacity(pellucidPositions[node]);
+#endif
+#if PELLUCID_VIEW
+    fragment = collapsed ? fragment : pellucidViewed(fragment, factor, node, ++layer);
+#else
+    fragment.a *= factor;
 #endif
     color += transmittance * fragment.a * fragment.rgb;
     transmittance *= 1.0 - fragment.a;

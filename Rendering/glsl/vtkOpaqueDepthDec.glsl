@@ -12,11 +12,14 @@ uniform sampler2DMS pellucidOpaqueDepth;
 uniform sampler2D pellucidOpaqueDepth;
 #endif
 uniform ivec2 pellucidOpaqueOrigin;    // window pixel of texel 0, 0
+uniform ivec2 pellucidOpaqueSize;      // texels
+uniform int pellucidOpaqueScale;       // texels for each window pixel, to either side
 uniform float pellucidDepthResolution; // one step of the depth buffer
 
 float pellucidOpaqueLimit(ivec2 windowPixel, int sampleIndex)
 {
-  return texelFetch(pellucidOpaqueDepth, windowPixel - pellucidOpaqueOrigin,
+  ivec2 texel = (windowPixel - pellucidOpaqueOrigin) * pellucidOpaqueScale + pellucidOpaqueScale / 2;
+  return texelFetch(pellucidOpaqueDepth, min(texel, pellucidOpaqueSize - 1),
 #if PELLUCID_SAMPLES > 1
     sampleIndex
 #else

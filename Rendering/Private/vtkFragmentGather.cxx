@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkFragmentGather.h"
+
+#include "vtkFragmentAppendDec.h"
+#include "vtkFragmentImportanceDec.h"
+#include "vtkFragmentLists.h"
+#include "vtkFragmentListsDec.h"
+#include "vtkFragmentStages.h"
+#include "vtkOpaqueDepthDec.h"
+#include "vtkOpaqueLayer.h"
+#include "vtkOpenGLState.h"
+#include "vtkOptimizedScene.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkRoundedConeMapper.h"
+#include "vtkSegmentOpacities.h"
+#include "vtkShaderProgram.h"
+#include "vtkSurfaceImportanceDec.h"
+#include "vtkSurfaceImportanceVS.h"
+
+#include <regex>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+// VTK's shader cache begins the shaders of mappers with version 150.
+constexpr const char* Extensions = "//VTK::System::Dec\n"
+                                   "#extension GL_ARB_shader_storage_buffer_object : require\n"
+                                   "#extension GL_ARB_shading_language_420pack : require\n"
+                                   "#extension GL_ARB_shader_bit_encoding : require\n";
+
+// Whether the shader assigns its depth; VTK's template names gl_FragDepth in a comment in any case.
+bool WritesDepth(const std::string& fragmentShader)
+{
+  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
+  return std::regex_search(fragmentShader, assignment);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkFragmentGather::GetProps(const vtkRenderState* state)
+{
+  return { state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount() };
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::ForgetProps()
+{
+  this->RenderedProps.clear();
+  this->PropsWithoutHooks.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::SetFormat(int samples, bool storesImportance)
+{
+  if (this->Samples != samples || this->StoresImportance != storesImportance)
+  {
+    this->Samples = samples;
+    this->StoresImportance = storesImportance;
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::BindFramebuffer(vtkOpenGLState* state, const vtkPixelRectangle& tile)
+{
+  if (this->Framebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  state->vtkglDrawBuffer(GL_NONE);
+  glFramebufferParameteri(
+    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, tile.Origin[0] + tile.Size[0]);
+  glFramebufferParameteri(
+    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, tile.Origin[1] + tile.Size[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::DrawProps(const vtkRenderState* state, const vtkPixelRectangle& tile,
+  const vtkFragmentLists& lists, const vtkOpaqueLayer& opaque, const vtkOptimizedScene& scene)
+{
+  this->Tile = tile;
+  this->Lists = &lists;
+  this->Opaque = &opaque;
+  this->Scene = &scene;
+  // All props, as VTK does: some draw translucent geometry without saying so before.
+  for (vtkProp* prop : vtkFragmentGather::GetProps(state))
+  {
+    this->Prop = prop;
+    this->RanHook = false;
+    if (prop->RenderTranslucentPolygonalGeometry(state->GetRenderer()) > 0)
+    {
+      this->RenderedProps.insert(prop);
+      if (!this->RanHook)
+      {
+        this->PropsWithoutHooks.insert(prop);
+      }
+    }
+  }
+  this->Prop = nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFragmentGather::NeedsImportance(vtkAbstractMapper* mapper) const
+{
+  return this->StoresImportance && !vtkRoundedConeMapper::SafeDownCast(mapper) &&
+    this->Scene->Find(this->Prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::EditVertexShader(std::string& vertexShader, vtkAbstractMapper* mapper) const
+{
+  if (this->NeedsImportance(mapper))
+  {
+    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Dec",
+      std::string(vtkSurfaceImportanceVS) + "//VTK::PositionVC::Dec", false);
+    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Impl",
+      "pellucidPassImportance();\n//VTK::PositionVC::Impl", false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::EditFragmentShader(
+  std::string& fragmentShader, vtkAbstractMapper* mapper) const
+{
+  const bool needsImportance = this->NeedsImportance(mapper);
+  const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
+  const std::string declarations =
+    vtkFragmentLists::GetShaderDefinitions(this->Samples, this->StoresImportance) +
+    vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkOpaqueDepthDec +
+    (this->StoresImportance ? vtkFragmentImportanceDec : "") + vtkFragmentAppendDec +
+    (needsImportance ? vtkSurfaceImportanceDec : "");
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
+    "if (pellucidIsHidden(" + depth + ")) { discard; }\n", false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
+    std::string(needsImportance ? "pellucidSetImportance();\n" : "") +
+      "pellucidAppend(gl_FragData[0], " + depth + ");\n",
+    false);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper)
+{
+  if (!program->IsUniformUsed("pellucidNodeCapacity"))
+  {
+    return;
+  }
+  this->RanHook = true;
+  vtkFragmentStages::SetTile(program, this->Tile);
+  this->Opaque->SetUniforms(program);
+  program->SetUniformi("pellucidNodeCapacity", static_cast<int>(this->Lists->GetNodeCapacity()));
+  const vtkOptimizedScene::Member* member =
+    this->StoresImportance ? this->Scene->Find(this->Prop) : nullptr;
+  if (member && program->IsUniformUsed("pellucidFirstSegment"))
+  {
+    const vtkOptimizedScene::Part& part = member->FindPart(mapper);
+    program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
+    program->SetUniformi(
+      "pellucidFirstCorner", part.HasCorners ? static_cast<int>(part.FirstCorner) : -1);
+    program->SetUniformi("pellucidFirstCornerOpacity",
+      static_cast<int>(this->Scene->GetNumberOfSegments() + part.FirstCorner));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentGather::Release()
+{
+  glDeleteFramebuffers(1, &this->Framebuffer);
+  this->Framebuffer = 0;
+}
+
+VTK_ABI_NAMESPACE_END
