@@ -198,14 +198,18 @@ private:
       normal = this->TowardsViewer(
         glm::normalize(glm::cross(b.position - a.position, c.position - a.position)), position);
     }
-    // Equal factors stay the same to the last bit, though weights need not add up to 1.
-    const Real opacity =
-      a.opacity + hit.weights.y * (b.opacity - a.opacity) + hit.weights.z * (c.opacity - a.opacity);
+    const Real opacity = Interpolate(hit.weights, a.opacity, b.opacity, c.opacity);
     Fragment<Real> fragment;
     fragment.depth = depth;
     fragment.place = PlaceInTriangle(surface, { &a, &b, &c }, hit.weights);
     this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color), opacity, position,
       normal, fragment, pixel);
+  }
+
+  /** Equal values stay the same to the last bit, though weights need not add up to 1. */
+  static Real Interpolate(const Vector3<Real>& weights, Real a, Real b, Real c)
+  {
+    return a + weights.y * (b - a) + weights.z * (c - a);
   }
 
   static SegmentPlace<Real> PlaceInTriangle(const Surface<Real>& surface,
@@ -216,11 +220,11 @@ private:
     {
       return place;
     }
-    Real importance = 0;
+    const Real importance = Interpolate(weights, corners[0]->segment.importance,
+      corners[1]->segment.importance, corners[2]->segment.importance);
     int nearest = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 1; i < 3; ++i)
     {
-      importance += weights[i] * corners[i]->segment.importance;
       nearest = weights[i] > weights[nearest] ? i : nearest;
     }
     place.nearest = { ClampImportance(importance), corners[nearest]->segment.base,

@@ -186,6 +186,30 @@ void TestPenalty(Checks& checks)
   CheckColor(checks, "composited", scene.GetPixel(0, 0), { alpha, alpha, 1, alpha });
 }
 
+/** What is as important as all else is in front of nothing: interpolation keeps equal values. */
+void TestEqualImportance(Checks& checks)
+{
+  vtkNew<vtkOcclusionAvoidance> avoidance;
+  Scene scene(31, 31);
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkActor* square = scene.AddSquare(0, 0.7, avoidance, { -0.9, 0.7, -0.7, 0.9 });
+    square->RotateX(10 + 3 * i);
+    square->RotateZ(20 * i);
+  }
+  scene.Reference->SetView(Pass::VIEW_OPACITY);
+  scene.Reference->Update();
+  const auto* image = static_cast<double*>(scene.Reference->GetImage()->GetScalarPointer());
+  int faded = 0;
+  for (int pixel = 0; pixel < 31 * 31; ++pixel)
+  {
+    // White, or the blue background.
+    faded += image[4 * pixel + 2] != 1;
+  }
+  checks.Near("pixels that fade for what is equal", faded, 0, 0);
+  checks.Near("equal squares in a pixel", scene.Reference->GetLongestList(), 3, 0);
+}
+
 /** Coverage is 4, since one square is behind the opaque one; the tangents of the two lines add up
  * to the square root of 2. */
 void TestWeighting(Checks& checks)
@@ -345,6 +369,7 @@ int TestReferenceImportance(int, char*[])
 {
   Checks checks;
   TestPenalty(checks);
+  TestEqualImportance(checks);
   TestWeighting(checks);
   TestSmoothing(checks);
   TestViews(checks);
