@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReferenceRenderer.h"
 
-#include "Private/RayCasting.h"
+#include "Private/ViewColors.h"
 #include "Private/vtkReferenceOpacities.h"
 #include "Private/vtkReferenceScene.h"
+#include "Private/vtkReferenceSweep.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkExactTransparencyPass.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
 #include <numeric>
 #include <sstream>
 
@@ -26,7 +29,8 @@ namespace
 {
 using Vec3 = pellucid::Vector3<double>;
 using Vec4 = pellucid::Vector4<double>;
-using Pixels = std::vector<pellucid::PixelFragments<double>>;
+using Pixel = pellucid::PixelFragments<double>;
+using Attributes = pellucid::PixelAttributes<double>;
 
 /** The background of a row of the image; a gradient runs from the lower to the upper border. */
 Vec4 Background(vtkRenderer* renderer, int y, int height, bool transparent)
@@ -37,6 +41,38 @@ Vec4 Background(vtkRenderer* renderer, int y, int height, bool transparent)
   return Vec4(
     glm::mix(Vec3(lower[0], lower[1], lower[2]), Vec3(upper[0], upper[1], upper[2]), position),
     transparent ? 0.0 : 1.0);
+}
+
+/** What a view shows of the fragments of a pixel; VIEW_LENGTH needs those of all pixels. */
+void ApplyView(int view, int layer, Pixel& pixel)
+{
+  if (pixel.GetTranslucent().empty())
+  {
+    return;
+  }
+  const auto& nearest = pixel.GetTranslucent().front();
+  const auto& place = nearest.place.nearest;
+  switch (view)
+  {
+    case vtkExactTransparencyPass::VIEW_OPACITY:
+      pixel.ShowNearest(pellucid::HotColor(nearest.fading));
+      break;
+    case vtkExactTransparencyPass::VIEW_IMPORTANCE:
+      pixel.ShowNearest(pellucid::HotColor(place.importance));
+      break;
+    case vtkExactTransparencyPass::VIEW_SEGMENTS:
+      pixel.ShowNearest(pellucid::SegmentColor<double>(
+        place.parameters ? static_cast<std::uint32_t>(place.segment) : 0));
+      break;
+    case vtkExactTransparencyPass::VIEW_FIRST_LAYERS:
+      pixel.KeepLayers(1, layer);
+      break;
+    case vtkExactTransparencyPass::VIEW_LAYER:
+      pixel.KeepLayers(layer, layer);
+      break;
+    default:
+      break;
+  }
 }
 }
 
@@ -66,6 +102,21 @@ struct vtkReferenceRenderer::vtkInternals
     const vtkIdType size = this->FragmentCounts->GetNumberOfPoints();
     this->NumberOfFragments = std::accumulate(counts, counts + size, vtkIdType(0));
     this->LongestList = *std::max_element(counts, counts + size);
+  }
+
+  /** Where there is a fragment, its colour becomes that of the number of fragments. */
+  void ShowFragmentCounts()
+  {
+    const int* counts = static_cast<int*>(this->FragmentCounts->GetScalarPointer());
+    auto* image = static_cast<double*>(this->Image->GetScalarPointer());
+    for (vtkIdType i = 0; i < this->FragmentCounts->GetNumberOfPoints(); ++i)
+    {
+      if (counts[i] > 0)
+      {
+        const Vec4 color(pellucid::HotColor(static_cast<double>(counts[i]) / this->LongestList), 1);
+        std::copy_n(glm::value_ptr(color), 4, image + 4 * i);
+      }
+    }
   }
 };
 
@@ -115,10 +166,12 @@ void vtkReferenceRenderer::Update()
 
   internals.Source = std::make_unique<vtkReferenceScene>(this->Renderer, width, height);
   internals.Caster = std::make_unique<pellucid::RayCaster<double>>(internals.Source->GetScene());
+  const pellucid::RayCaster<double>& caster = *internals.Caster;
   const vtkOptimizedScene& optimized = internals.Source->GetOptimizedScene();
   const std::vector<double> opacities = optimized.HasOptimization()
-    ? vtkSolveReferenceOpacities(*internals.Caster, optimized)
+    ? vtkSolveReferenceOpacities(caster, optimized, this->GatherScale)
     : std::vector<double>();
+  const std::vector<Attributes> smoothAttributes = vtkSmoothReferenceAttributes(caster);
   internals.Image->SetDimensions(width, height, 1);
   internals.Image->AllocateScalars(VTK_DOUBLE, 4);
   internals.FragmentCounts->SetDimensions(width, height, 1);
@@ -126,34 +179,22 @@ void vtkReferenceRenderer::Update()
   auto* image = static_cast<double*>(internals.Image->GetScalarPointer());
   auto* counts = static_cast<int*>(internals.FragmentCounts->GetScalarPointer());
 
-  vtkSMPThreadLocal<Pixels> localPixels;
-  vtkSMPTools::For(0, internals.Caster->GetNumberOfTiles(), 8,
-    [&](vtkIdType begin, vtkIdType end)
+  vtkForEachReferencePixel(caster,
+    [&](int x, int y, Pixel& pixel)
     {
-      Pixels& pixels = localPixels.Local();
-      for (int tile = static_cast<int>(begin); tile < end; ++tile)
-      {
-        const auto area = internals.Caster->GetTile(tile);
-        internals.Caster->Cast(tile, area, pixels);
-        auto pixel = pixels.begin();
-        for (int y = area.y0; y < area.y1; ++y)
-        {
-          const Vec4 background =
-            Background(this->Renderer, y, height, this->TransparentBackground);
-          for (int x = area.x0; x < area.x1; ++x, ++pixel)
-          {
-            const vtkIdType index = static_cast<vtkIdType>(y) * width + x;
-            const Vec4 color = pixel->Composite(background, opacities);
-            for (int component = 0; component < 4; ++component)
-            {
-              image[4 * index + component] = color[component];
-            }
-            counts[index] = static_cast<int>(pixel->GetTranslucent().size());
-          }
-        }
-      }
+      const vtkIdType index = static_cast<vtkIdType>(y) * width + x;
+      counts[index] = static_cast<int>(pixel.GetTranslucent().size());
+      pixel.Fade(opacities, smoothAttributes.empty() ? Attributes() : smoothAttributes[index]);
+      ApplyView(this->View, this->Layer, pixel);
+      const Vec4 color =
+        pixel.Composite(Background(this->Renderer, y, height, this->TransparentBackground));
+      std::copy_n(glm::value_ptr(color), 4, image + 4 * index);
     });
   internals.CountFragments();
+  if (this->View == vtkExactTransparencyPass::VIEW_LENGTH)
+  {
+    internals.ShowFragmentCounts();
+  }
   const std::string omissions = this->GetOmissions();
   if (!omissions.empty())
   {
@@ -203,7 +244,7 @@ void vtkReferenceRenderer::GetPixelFragments(int x, int y, vtkTable* fragments)
     return;
   }
   const auto& caster = *this->Internals->Caster;
-  Pixels pixels;
+  std::vector<Pixel> pixels;
   caster.Cast(caster.GetTileOfPixel(x, y), { x, y, x + 1, y + 1 }, pixels);
   for (const auto& fragment : pixels.front().GetTranslucent())
   {

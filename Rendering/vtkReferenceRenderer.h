@@ -18,6 +18,9 @@
  * Whatever else the renderer holds (volumes, one-pixel wide lines and points, wireframes, textures,
  * 2D props, ...) is left out; a warning names it, and so does GetOmissions().
  *
+ * Opacities follow from importance where an actor has a vtkImportanceDrivenOpacity; each frame
+ * shows its own at once (vtkExactTransparencyPass::SetFadeTime() at 0).
+ *
  * Order: fragments are sorted by window depth; at equal depths the less opaque one is in front,
  * then the one with less red, green and blue, so that no order of props or cells shows. This also
  * decides between opaque surfaces at the same depth, where VTK shows the one drawn last. A
@@ -32,9 +35,10 @@
  * threads and any order of its props.
  *
  * The cost is proportional to the fragments, and to the pixels of the bounding rectangles of the
- * primitives: seconds for a thousand lines of a hundred points at 800x600.
+ * primitives: seconds for a thousand lines of a hundred points at 800x600. Optimised opacities cost
+ * the same once more, and so do smoothed attributes of vtkOcclusionAvoidance.
  *
- * @sa vtkExactTransparencyPass vtkTrajectoryMapper
+ * @sa vtkExactTransparencyPass vtkImportanceDrivenOpacity vtkTrajectoryMapper
  */
 
 #ifndef vtkReferenceRenderer_h
@@ -90,7 +94,12 @@ public:
   ///@}
 
   ///@{
-  /** Resolution at which opacities are optimised: vtkExactTransparencyPass::SetGatherScale(). */
+  /**
+   * Resolution at which opacities are optimised: vtkExactTransparencyPass::SetGatherScale(). A
+   * pixel of the small picture, the centre of which need not be one of the full picture, has the
+   * opaque depth of the full picture's pixel in its middle, or of the upper or right one of two.
+   * Default: 1.
+   */
   vtkSetClampMacro(GatherScale, int, 1, 4);
   vtkGetMacro(GatherScale, int);
   ///@}
@@ -104,8 +113,8 @@ public:
    */
   vtkImageData* GetImage();
 
-  /** The number of translucent fragments in each pixel that are not behind an opaque surface; one
-   * VTK_INT for each pixel, bottom row first. */
+  /** The number of translucent fragments in each pixel that are not behind an opaque surface,
+   * whatever the view shows of them; one VTK_INT for each pixel, bottom row first. */
   vtkImageData* GetFragmentCounts();
 
   /** The sum of the fragment counts. */
@@ -115,7 +124,8 @@ public:
   vtkIdType GetLongestList();
 
   /** The translucent fragments of one pixel, front to back: columns Depth (window depth in [0,1]),
-   * Red, Green, Blue, Alpha (straight, in [0,1]). Empty where nothing is, and outside the image. */
+   * Red, Green, Blue, Alpha (straight, in [0,1], before importance changes it). Empty where nothing
+   * is, and outside the image. */
   void GetPixelFragments(int x, int y, vtkTable* fragments);
 
   /** What the scene holds that was not drawn, each kind with its number, or an empty string. */

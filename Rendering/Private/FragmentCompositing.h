@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    FragmentCompositing.h
- * @brief   The exact order of the fragments of a pixel, and what they look like together.
+ * @brief   The exact order of the fragments of a pixel, how they fade, and what they look like
+ *          together.
  */
 
 #ifndef FragmentCompositing_h
 #define FragmentCompositing_h
 
+#include "OcclusionAvoidance.h"
 #include "RayIntersection.h"
 #include "SegmentOpacity.h"
 
@@ -17,11 +19,11 @@
 
 namespace pellucid
 {
-/** Where a fragment lies among the segments whose opacities are optimised. */
+/** Importance of a fragment, and where it lies among the segments whose opacities are optimised. */
 template <typename Real>
 struct SegmentPlace
 {
-  OpacityFragment<Real> nearest;        ///< its importance, and the segment that it belongs to
+  OpacityFragment<Real> nearest{};      ///< its importance, and the segment that it belongs to
   std::array<SegmentId, 3> opacities{}; ///< between which it lies
   std::array<Real, 3> shares{};         ///< of each of these; 0: not of it
 };
@@ -33,6 +35,10 @@ struct Fragment
   Real depth = 1;
   Vector4<Real> color{ Real(0) };
   SegmentPlace<Real> place{};
+  Real distance = 0;                                   ///< from the eye, along the view direction
+  Vector3<Real> tangent{ Real(0) };                    ///< as AttributeFragment has it
+  const OcclusionAvoidance<Real>* avoidance = nullptr; ///< where its opacity follows from that
+  Real fading = 1; ///< the factor on its opacity that PixelFragments::Fade() finds
 };
 
 /**
@@ -43,9 +49,12 @@ struct Fragment
 template <typename Real>
 bool operator<(const Fragment<Real>& a, const Fragment<Real>& b)
 {
-  return std::tie(a.depth, a.color.a, a.color.r, a.color.g, a.color.b, a.place.nearest.importance,
-           a.place.nearest.segment) < std::tie(b.depth, b.color.a, b.color.r, b.color.g, b.color.b,
-                                        b.place.nearest.importance, b.place.nearest.segment);
+  const auto key = [](const Fragment<Real>& f)
+  {
+    return std::tie(f.depth, f.color.a, f.color.r, f.color.g, f.color.b, f.place.nearest.importance,
+      f.place.nearest.segment, f.tangent.x, f.tangent.y, f.tangent.z);
+  };
+  return key(a) < key(b);
 }
 
 /** The fragments of one pixel. */
@@ -78,42 +87,100 @@ public:
     }
   }
 
+  /** Depth of the nearest opaque surface; 1 where there is none. */
+  Real GetOpaqueDepth() const { return this->Opaque.depth; }
+
   /** Drop what lies behind the nearest opaque surface and bring the rest into order, front first.
    * A fragment at the depth of the opaque surface is in front of it. */
-  void Sort()
+  void Sort() { this->Sort(this->GetOpaqueDepth()); }
+
+  /** The same with an opaque surface at that depth. */
+  void Sort(Real opaqueDepth)
   {
     auto& list = this->Translucent;
-    if (this->HasOpaque)
-    {
-      list.erase(std::remove_if(list.begin(), list.end(),
-                   [this](const Fragment<Real>& f) { return f.depth > this->Opaque.depth; }),
-        list.end());
-    }
+    list.erase(std::remove_if(list.begin(), list.end(),
+                 [opaqueDepth](const Fragment<Real>& f) { return f.depth > opaqueDepth; }),
+      list.end());
     std::sort(list.begin(), list.end());
   }
 
   /** The translucent fragments; after Sort(), those that are visible, front to back. */
   const std::vector<Fragment<Real>>& GetTranslucent() const { return this->Translucent; }
 
+  /** The attributes of the pixel, with depth either of the two measures: &Fragment::depth or
+   * &Fragment::distance. */
+  PixelAttributes<Real> GetAttributes(Real Fragment<Real>::*depth) const
+  {
+    std::vector<AttributeFragment<Real>> fragments;
+    fragments.reserve(this->Translucent.size());
+    for (const auto& fragment : this->Translucent)
+    {
+      fragments.push_back({ fragment.*depth, fragment.place.nearest.importance, fragment.tangent });
+    }
+    return ComputePixelAttributes(fragments);
+  }
+
+  /**
+   * Find the factors on the opacities that follow from importance. `opacities` are those of
+   * segments and corners, as SegmentPlace counts them; empty where nothing is optimised. `smooth`
+   * are the smoothed attributes of the pixel, for fragments that need them.
+   */
+  void Fade(const std::vector<Real>& opacities, const PixelAttributes<Real>& smooth)
+  {
+    auto& list = this->Translucent;
+    const bool avoids = std::any_of(list.begin(), list.end(),
+      [](const Fragment<Real>& f) { return f.avoidance && !f.avoidance->smoothAttributes; });
+    const auto sharp =
+      avoids ? this->GetAttributes(&Fragment<Real>::depth) : PixelAttributes<Real>();
+    for (auto& fragment : list)
+    {
+      const SegmentPlace<Real>& place = fragment.place;
+      if (fragment.avoidance)
+      {
+        const auto& avoidance = *fragment.avoidance;
+        fragment.fading = avoidance.smoothAttributes
+          ? avoidance.Factor(fragment.distance, place.nearest.importance, smooth)
+          : avoidance.Factor(fragment.depth, place.nearest.importance, sharp);
+      }
+      else if (place.nearest.parameters && !opacities.empty())
+      {
+        fragment.fading = InterpolateOpacity(
+          opacities, place.opacities.data(), place.shares.data(), place.shares.size());
+      }
+    }
+  }
+
+  /** Keep the layers `first` to `last`, counted from 1, of the sorted fragments. */
+  void KeepLayers(std::size_t first, std::size_t last)
+  {
+    auto& list = this->Translucent;
+    list.resize(std::min(list.size(), last));
+    list.erase(list.begin(), list.begin() + std::min(list.size(), first - 1));
+  }
+
+  /** Show the nearest of the sorted fragments, if there is one, opaque and in that colour. */
+  void ShowNearest(const Vector3<Real>& color)
+  {
+    this->KeepLayers(1, 1);
+    for (auto& fragment : this->Translucent)
+    {
+      fragment.color = Vector4<Real>(color, 1);
+      fragment.fading = 1;
+    }
+  }
+
   /**
    * Blend the sorted fragments over the opaque surface, or over `background` where there is none
    * (Porter and Duff 1984, "over"). The background, like the result, is what a framebuffer holds:
-   * a colour that is taken as it is, and the alpha beside it. `opacities` are those of segments and
-   * corners, as SegmentPlace counts them, and multiply; empty where nothing is optimised.
+   * a colour that is taken as it is, and the alpha beside it.
    */
-  Vector4<Real> Composite(
-    const Vector4<Real>& background, const std::vector<Real>& opacities = {}) const
+  Vector4<Real> Composite(const Vector4<Real>& background) const
   {
     Vector3<Real> color(Real(0));
     Real transmittance = 1;
     for (const auto& fragment : this->Translucent)
     {
-      const SegmentPlace<Real>& place = fragment.place;
-      const Real alpha = fragment.color.a *
-        (place.nearest.parameters && !opacities.empty()
-            ? InterpolateOpacity(
-                opacities, place.opacities.data(), place.shares.data(), place.shares.size())
-            : Real(1));
+      const Real alpha = fragment.color.a * fragment.fading;
       color += transmittance * alpha * Vector3<Real>(fragment.color);
       transmittance *= 1 - alpha;
     }

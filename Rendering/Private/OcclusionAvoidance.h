@@ -144,6 +144,8 @@ struct OcclusionAvoidance
   Real lambda = 1;
   /** Factor in [0,1] on every opacity, in both modes. */
   Real globalOpacity = 1;
+  /** Whether the attributes are those that SmoothPixelAttributes() gives. */
+  bool smoothAttributes = false;
 
   /** The factor in [0,1] on the opacity of a fragment. A weighted one is (eqs. 3.2 and 3.3)
    * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [depth < D])). */

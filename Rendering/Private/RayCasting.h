@@ -23,11 +23,23 @@ class RayCaster
 {
 public:
   explicit RayCaster(const Scene<Real>& scene)
-    : Input(scene)
-    , TriangleBins(scene.view.width, scene.view.height, this->BoundTriangles())
-    , PieceBins(scene.view.width, scene.view.height, this->BoundPieces())
+    : RayCaster(scene, scene.view, {})
   {
   }
+
+  /** With another picture of the scene; not empty, `opaqueDepths` are the depths of the opaque
+   * surface in its pixels, row by row, in place of those of the scene. */
+  RayCaster(const Scene<Real>& scene, const View<Real>& view, std::vector<Real> opaqueDepths)
+    : Input(scene)
+    , Picture(view)
+    , OpaqueDepths(std::move(opaqueDepths))
+    , TriangleBins(view.width, view.height, this->BoundTriangles())
+    , PieceBins(view.width, view.height, this->BoundPieces())
+  {
+  }
+
+  const Scene<Real>& GetScene() const { return this->Input; }
+  const View<Real>& GetView() const { return this->Picture; }
 
   int GetNumberOfTiles() const { return this->Columns() * this->Rows(); }
 
@@ -37,7 +49,7 @@ public:
     const int x = tile % this->Columns() * TileBins::TileSize;
     const int y = tile / this->Columns() * TileBins::TileSize;
     return PixelRectangle{ x, y, x + TileBins::TileSize, y + TileBins::TileSize }.Intersection(
-      { 0, 0, this->Input.view.width, this->Input.view.height });
+      { 0, 0, this->Picture.width, this->Picture.height });
   }
 
   int GetTileOfPixel(int x, int y) const
@@ -61,10 +73,13 @@ public:
     {
       this->CastTubes(tile, area, this->PixelRays(area), pixels);
     }
-    for (auto& pixel : pixels)
-    {
-      pixel.Sort();
-    }
+    ForEachPixel(area, area,
+      [this, &pixels](int x, int y, std::size_t pixel)
+      {
+        pixels[pixel].Sort(this->OpaqueDepths.empty()
+            ? pixels[pixel].GetOpaqueDepth()
+            : this->OpaqueDepths[static_cast<std::size_t>(y) * this->Picture.width + x]);
+      });
   }
 
 private:
@@ -73,12 +88,9 @@ private:
 
   int Columns() const
   {
-    return (this->Input.view.width + TileBins::TileSize - 1) / TileBins::TileSize;
+    return (this->Picture.width + TileBins::TileSize - 1) / TileBins::TileSize;
   }
-  int Rows() const
-  {
-    return (this->Input.view.height + TileBins::TileSize - 1) / TileBins::TileSize;
-  }
+  int Rows() const { return (this->Picture.height + TileBins::TileSize - 1) / TileBins::TileSize; }
 
   std::vector<PixelRectangle> BoundTriangles() const
   {
@@ -86,7 +98,7 @@ private:
     bounds.reserve(this->Input.triangles.size());
     for (const Triangle& triangle : this->Input.triangles)
     {
-      bounds.push_back(ScreenBounds(this->Input.view, this->ClipCorners(triangle)));
+      bounds.push_back(ScreenBounds(this->Picture, this->ClipCorners(triangle)));
     }
     return bounds;
   }
@@ -105,10 +117,10 @@ private:
       std::array<Vector4<Real>, 8> corners;
       for (int i = 0; i < 8; ++i)
       {
-        corners[i] = this->Input.view.ClipCoordinates(
+        corners[i] = this->Picture.ClipCoordinates(
           { (i & 1 ? upper : lower).x, (i & 2 ? upper : lower).y, (i & 4 ? upper : lower).z });
       }
-      bounds.push_back(ScreenBounds(this->Input.view, corners));
+      bounds.push_back(ScreenBounds(this->Picture, corners));
     }
     return bounds;
   }
@@ -119,7 +131,7 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       corners[i] =
-        this->Input.view.ClipCoordinates(this->Input.vertices[triangle.vertices[i]].position);
+        this->Picture.ClipCoordinates(this->Input.vertices[triangle.vertices[i]].position);
     }
     return corners;
   }
@@ -145,8 +157,8 @@ private:
       ForEachPixel(area, this->TriangleBins.Rectangle(*id),
         [&](int x, int y, std::size_t pixel)
         {
-          const auto hit = IntersectTriangle(
-            corners, this->Input.view.NormalizedX(x), this->Input.view.NormalizedY(y));
+          const auto hit =
+            IntersectTriangle(corners, this->Picture.NormalizedX(x), this->Picture.NormalizedY(y));
           if (hit)
           {
             const Vector4<Real> point =
@@ -186,30 +198,37 @@ private:
       normal = this->TowardsViewer(
         glm::normalize(glm::cross(b.position - a.position, c.position - a.position)), position);
     }
-    // Equal factors stay the same to the last bit, though weights need not add up to 1.
-    const Real opacity =
-      a.opacity + hit.weights.y * (b.opacity - a.opacity) + hit.weights.z * (c.opacity - a.opacity);
+    const Real opacity = Interpolate(hit.weights, a.opacity, b.opacity, c.opacity);
+    Fragment<Real> fragment;
+    fragment.depth = depth;
+    fragment.place = PlaceInTriangle(surface, { &a, &b, &c }, hit.weights);
     this->AddFragment(surface, hit.frontFacing, blend(a.color, b.color, c.color), opacity, position,
-      normal, depth, this->PlaceInTriangle(surface, { &a, &b, &c }, hit.weights), pixel);
+      normal, fragment, pixel);
+  }
+
+  /** Equal values stay the same to the last bit, though weights need not add up to 1. */
+  static Real Interpolate(const Vector3<Real>& weights, Real a, Real b, Real c)
+  {
+    return a + weights.y * (b - a) + weights.z * (c - a);
   }
 
   static SegmentPlace<Real> PlaceInTriangle(const Surface<Real>& surface,
     const std::array<const Vertex<Real>*, 3>& corners, const Vector3<Real>& weights)
   {
     SegmentPlace<Real> place;
-    if (!surface.optimization)
+    if (!surface.HasImportance())
     {
       return place;
     }
-    Real importance = 0;
+    const Real importance = Interpolate(weights, corners[0]->segment.importance,
+      corners[1]->segment.importance, corners[2]->segment.importance);
     int nearest = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 1; i < 3; ++i)
     {
-      importance += weights[i] * corners[i]->segment.importance;
       nearest = weights[i] > weights[nearest] ? i : nearest;
     }
     place.nearest = { ClampImportance(importance), corners[nearest]->segment.base,
-      &*surface.optimization };
+      surface.GetOptimization() };
     for (int i = 0; i < 3; ++i)
     {
       const bool interpolates = corners[i]->corner >= 0;
@@ -224,7 +243,7 @@ private:
     const SegmentNode<Real>& first, const SegmentNode<Real>& last, Real along)
   {
     SegmentPlace<Real> place;
-    if (surface.optimization)
+    if (surface.HasImportance())
     {
       const Real steps = static_cast<Real>(last.base - first.base) + last.weight - first.weight;
       const Real centre = first.weight + along * steps;
@@ -232,7 +251,7 @@ private:
       const Real share = centre - whole;
       const SegmentId base = first.base + static_cast<SegmentId>(whole);
       place.nearest = { first.importance + along * (last.importance - first.importance),
-        share < Real(0.5) ? base : base + 1, &*surface.optimization };
+        share < Real(0.5) ? base : base + 1, surface.GetOptimization() };
       place.opacities = { base, base + 1, 0 };
       place.shares = { 1 - share, share, 0 };
     }
@@ -241,7 +260,7 @@ private:
 
   Vector3<Real> TowardsViewer(const Vector3<Real>& normal, const Vector3<Real>& position) const
   {
-    const bool away = this->Input.view.parallel ? normal.z < 0 : glm::dot(normal, position) > 0;
+    const bool away = this->Picture.parallel ? normal.z < 0 : glm::dot(normal, position) > 0;
     return away ? -normal : normal;
   }
 
@@ -251,9 +270,10 @@ private:
       [&position](const HalfSpace<Real>& space) { return space.Height(position) >= 0; });
   }
 
+  /** `fragment` has its depth, its place, and its tangent. */
   void AddFragment(const Surface<Real>& surface, bool frontFacing, const Vector4<Real>& attribute,
-    Real opacity, const Vector3<Real>& position, const Vector3<Real>& normal, Real depth,
-    const SegmentPlace<Real>& place, PixelFragments<Real>& pixel) const
+    Real opacity, const Vector3<Real>& position, const Vector3<Real>& normal,
+    Fragment<Real> fragment, PixelFragments<Real>& pixel) const
   {
     Material<Real> material = frontFacing ? surface.front : surface.back;
     Real alpha = opacity * material.opacity;
@@ -268,11 +288,11 @@ private:
     const bool lit = surface.lit && !this->Input.lighting.lights.empty();
     const Vector3<Real> color =
       lit ? Shade(this->Input.lighting, material, position, normal) : Unlit(material);
-    pixel.Add({ depth,
-                { Saturate(color.r), Saturate(color.g), Saturate(color.b),
-                  surface.opaque ? Real(1) : Saturate(alpha) },
-                place },
-      surface.opaque);
+    fragment.color = { Saturate(color.r), Saturate(color.g), Saturate(color.b),
+      surface.opaque ? Real(1) : Saturate(alpha) };
+    fragment.distance = -position.z;
+    fragment.avoidance = surface.GetAvoidance();
+    pixel.Add(fragment, surface.opaque);
   }
 
   /** Calls visit(x, y, index) for the pixels of `area` within `bounds`; index counts in `area`. */
@@ -294,8 +314,7 @@ private:
     Rays rays;
     rays.reserve(static_cast<std::size_t>(area.Width()) * area.Height());
     ForEachPixel(area, area,
-      [this, &rays](int x, int y, std::size_t)
-      { rays.push_back(this->Input.view.PixelRay(x, y)); });
+      [this, &rays](int x, int y, std::size_t) { rays.push_back(this->Picture.PixelRay(x, y)); });
     return rays;
   }
 
@@ -443,14 +462,21 @@ private:
     const auto& last = this->Input.tubePoints[piece.last];
     const Vector4<Real> color = glm::mix(first.color, last.color, hit.axis);
     const Real opacity = first.opacity + hit.axis * (last.opacity - first.opacity);
-    const Real depth = View<Real>::WindowDepth(this->Input.view.ClipCoordinates(position));
+    const Real depth = View<Real>::WindowDepth(this->Picture.ClipCoordinates(position));
     const Surface<Real>& surface = this->Input.surfaces[piece.surface];
-    this->AddFragment(surface, true, color, opacity, position, normal,
-      glm::clamp(depth, Real(0), Real(1)),
-      PlaceOnLine(surface, first.segment, last.segment, hit.axis), pixel);
+    Fragment<Real> fragment;
+    fragment.depth = glm::clamp(depth, Real(0), Real(1));
+    fragment.place = PlaceOnLine(surface, first.segment, last.segment, hit.axis);
+    if (piece.first != piece.last)
+    {
+      fragment.tangent = glm::normalize(last.position - first.position);
+    }
+    this->AddFragment(surface, true, color, opacity, position, normal, fragment, pixel);
   }
 
   const Scene<Real>& Input;
+  View<Real> Picture;
+  std::vector<Real> OpaqueDepths;
   TileBins TriangleBins;
   TileBins PieceBins;
 };

@@ -30,6 +30,15 @@ struct View
   int height = 0;
   bool parallel = false;
 
+  /** The same view in a picture of 1/scale of the width and height, rounded up. */
+  View Reduced(int scale) const
+  {
+    View reduced = *this;
+    reduced.width = (this->width + scale - 1) / scale;
+    reduced.height = (this->height + scale - 1) / scale;
+    return reduced;
+  }
+
   /** Normalised device coordinates of a pixel's centre; rows count upwards. */
   Real NormalizedX(int x) const { return (2 * x + 1) / static_cast<Real>(this->width) - 1; }
   Real NormalizedY(int y) const { return (2 * y + 1) / static_cast<Real>(this->height) - 1; }
@@ -106,10 +115,23 @@ struct Surface
   ColorTable<Real> table;
   std::vector<HalfSpace<Real>> clipping;               ///< only what lies in all of these is shown
   std::optional<OpacityParameters<Real>> optimization; ///< where the opacities are optimised
+  std::optional<OcclusionAvoidance<Real>> avoidance;   ///< where they follow from this instead
   bool opaque = true;
   bool lit = true;
   bool cullFront = false;
   bool cullBack = false;
+
+  /** Whether opacities follow from importance. */
+  bool HasImportance() const { return this->optimization || this->avoidance; }
+
+  const OpacityParameters<Real>* GetOptimization() const
+  {
+    return this->optimization ? &*this->optimization : nullptr;
+  }
+  const OcclusionAvoidance<Real>* GetAvoidance() const
+  {
+    return this->avoidance ? &*this->avoidance : nullptr;
+  }
 };
 
 /** The importance at a point, and where it lies between the centres of two segments of a line. */

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    ViewColors.h
- * @brief   Colours of the views of vtkExactTransparencyPass; glsl/vtkPictureViewDec.glsl is the
- * same.
+ * @brief   Colours of the views into a picture, vtkExactTransparencyPass::Views.
  */
 
 #ifndef ViewColors_h
@@ -15,14 +14,15 @@
 
 namespace pellucid
 {
-/** Black at 0, red at 1/3, yellow at 2/3, white at 1. */
+/** The colour of a number in [0,1]: black, red, yellow, white. */
 template <typename Real>
-Vector3<Real> HotColor(Real value)
+Vector3<Real> HotColor(Real number)
 {
-  return glm::clamp(Real(3) * value - Vector3<Real>(0, 1, 2), Real(0), Real(1));
+  return glm::clamp(3 * number - Vector3<Real>(0, 1, 2), Real(0), Real(1));
 }
 
-/** Black for segment 0, which stands for what takes no part; otherwise a bright colour. */
+/** A colour that tells a segment from its neighbours: a hash of its number in vtkOptimizedScene;
+ * black for number 0, what has no segment. */
 template <typename Real>
 Vector3<Real> SegmentColor(std::uint32_t segment)
 {
@@ -34,8 +34,7 @@ Vector3<Real> SegmentColor(std::uint32_t segment)
   hash ^= hash >> 16;
   hash *= 2246822519u;
   hash ^= hash >> 13;
-  const Vector3<Real> bytes(static_cast<Real>(hash & 255u), static_cast<Real>(hash >> 8 & 255u),
-    static_cast<Real>(hash >> 16 & 255u));
+  const Vector3<Real> bytes(hash & 255u, (hash >> 8) & 255u, (hash >> 16) & 255u);
   return Real(0.2) + Real(0.8) * bytes / Real(255);
 }
 }

@@ -160,7 +160,7 @@ private:
   vtkDataArray* Factors;
 };
 
-/** Importance and segment at the points of one data set, where its opacities are optimised. */
+/** Importance and segment at the points of one data set, where its opacities follow from that. */
 class DataSegments
 {
 public:
@@ -176,7 +176,7 @@ public:
     const char* name = target.member->Settings->GetImportanceArray();
     vtkPointData* points = data->GetPointData();
     this->Importance = name ? points->GetArray(name) : nullptr;
-    if (vtkOptimizedScene::HasLineSegments(data))
+    if (!target.member->Avoids && vtkOptimizedScene::HasLineSegments(data))
     {
       this->Base = points->GetArray("SegmentBase");
       this->Weight = points->GetArray("SegmentWeight");

@@ -30,7 +30,7 @@ struct vtkReferenceTarget
   pellucid::Surface<double> surface; ///< all but its colour source, which depends on the data
   glm::dmat4 modelToView;
   const char* opacityArray = nullptr;           ///< name of a point array of factors on the opacity
-  const vtkOptimizedScene* optimized = nullptr; ///< where the opacities are optimised
+  const vtkOptimizedScene* optimized = nullptr; ///< where opacities follow from importance
   const vtkOptimizedScene::Member* member = nullptr; ///< the actor's entry there
 };
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReferenceOpacities.h"
 
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
+#include "vtkReferenceSweep.h"
 
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -12,11 +14,11 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Opacities = std::vector<double>;
+using PixelFragments = pellucid::PixelFragments<double>;
 
 /** What a thread needs again and again. */
 struct Workspace
 {
-  std::vector<pellucid::PixelFragments<double>> Pixels;
   std::vector<pellucid::OpacityFragment<double>> List;
   Opacities Solution;
   Opacities Segments;
@@ -30,24 +32,17 @@ Opacities FindLeastOpacities(
   Workspace exemplar;
   exemplar.Segments = unseen;
   vtkSMPThreadLocal<Workspace> workspaces(exemplar);
-  vtkSMPTools::For(0, caster.GetNumberOfTiles(), 8,
-    [&](vtkIdType begin, vtkIdType end)
+  vtkForEachReferencePixel(caster,
+    [&workspaces](int, int, const PixelFragments& pixel)
     {
       Workspace& work = workspaces.Local();
-      for (int tile = static_cast<int>(begin); tile < end; ++tile)
+      work.List.clear();
+      for (const auto& fragment : pixel.GetTranslucent())
       {
-        caster.Cast(tile, caster.GetTile(tile), work.Pixels);
-        for (const auto& pixel : work.Pixels)
-        {
-          work.List.clear();
-          for (const auto& fragment : pixel.GetTranslucent())
-          {
-            work.List.push_back(fragment.place.nearest);
-          }
-          pellucid::SolveOpacities(work.List, work.Solution);
-          pellucid::LowerSegmentOpacities(work.List, work.Solution, work.Segments);
-        }
+        work.List.push_back(fragment.place.nearest);
       }
+      pellucid::SolveOpacities(work.List, work.Solution);
+      pellucid::LowerSegmentOpacities(work.List, work.Solution, work.Segments);
     });
   // The least of any order is the same.
   Opacities least = unseen;
@@ -59,6 +54,27 @@ Opacities FindLeastOpacities(
     }
   }
   return least;
+}
+
+//------------------------------------------------------------------------------
+pellucid::RayCaster<double> Reduce(const pellucid::RayCaster<double>& caster, int scale)
+{
+  const auto& full = caster.GetView();
+  const auto reduced = full.Reduced(scale);
+  std::vector<double> opaqueDepths(static_cast<std::size_t>(reduced.width) * reduced.height);
+  // Whether this is, in its row or column, the pixel that a pixel of the small picture samples.
+  const auto isSample = [scale](int pixel, int size)
+  { return pixel == std::min(pixel / scale * scale + scale / 2, size - 1); };
+  vtkForEachReferencePixel(caster,
+    [&](int x, int y, const PixelFragments& pixel)
+    {
+      if (isSample(x, full.width) && isSample(y, full.height))
+      {
+        opaqueDepths[static_cast<std::size_t>(y / scale) * reduced.width + x / scale] =
+          pixel.GetOpaqueDepth();
+      }
+    });
+  return { caster.GetScene(), reduced, std::move(opaqueDepths) };
 }
 
 //------------------------------------------------------------------------------
@@ -109,15 +125,41 @@ double InterpolateAt(const vtkOptimizedScene::Corner& corner, const Opacities& s
 
 //------------------------------------------------------------------------------
 std::vector<double> vtkSolveReferenceOpacities(
-  const pellucid::RayCaster<double>& caster, const vtkOptimizedScene& scene)
+  const pellucid::RayCaster<double>& caster, const vtkOptimizedScene& scene, int gatherScale)
 {
-  Opacities opacities = Smooth(
-    FindLeastOpacities(caster, static_cast<std::size_t>(scene.GetNumberOfSegments())), scene);
+  const auto numberOfSegments = static_cast<std::size_t>(scene.GetNumberOfSegments());
+  Opacities opacities =
+    Smooth(gatherScale > 1 ? FindLeastOpacities(Reduce(caster, gatherScale), numberOfSegments)
+                           : FindLeastOpacities(caster, numberOfSegments),
+      scene);
   const Opacities segments = opacities;
   for (const auto& corner : scene.GetCorners())
   {
     opacities.push_back(InterpolateAt(corner, segments));
   }
   return opacities;
+}
+
+//------------------------------------------------------------------------------
+std::vector<pellucid::PixelAttributes<double>> vtkSmoothReferenceAttributes(
+  const pellucid::RayCaster<double>& caster)
+{
+  const auto& surfaces = caster.GetScene().surfaces;
+  if (std::none_of(surfaces.begin(), surfaces.end(),
+        [](const auto& s) { return s.avoidance && s.avoidance->smoothAttributes; }))
+  {
+    return {};
+  }
+  const auto& view = caster.GetView();
+  std::vector<pellucid::PixelAttributes<double>> attributes(
+    static_cast<std::size_t>(view.width) * view.height);
+  vtkForEachReferencePixel(caster,
+    [&](int x, int y, const PixelFragments& pixel)
+    {
+      attributes[static_cast<std::size_t>(y) * view.width + x] =
+        pixel.GetAttributes(&pellucid::Fragment<double>::distance);
+    });
+  pellucid::SmoothPixelAttributes(attributes, view.width);
+  return attributes;
 }
 VTK_ABI_NAMESPACE_END

@@ -13,6 +13,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -60,6 +61,29 @@ pellucid::Material<double> ToMaterial(vtkProperty* property)
   material.specularPower = property->GetSpecularPower();
   material.opacity = property->GetOpacity();
   return material;
+}
+
+pellucid::OpacityParameters<double> ToParameters(vtkOpacityOptimization* optimization)
+{
+  return { optimization->GetOcclusionWeight(), optimization->GetClutterWeight(),
+    optimization->GetEmphasis(), !optimization->GetSelfOcclusion() };
+}
+
+pellucid::OcclusionAvoidance<double> ToParameters(vtkOcclusionAvoidance* source)
+{
+  using Avoidance = pellucid::OcclusionAvoidance<double>;
+  Avoidance avoidance;
+  avoidance.mode = source->GetMode() == vtkOcclusionAvoidance::WEIGHTING ? Avoidance::WEIGHTING
+                                                                         : Avoidance::PENALTY;
+  avoidance.penalty = source->GetPenalty();
+  avoidance.importanceWeight = source->GetImportanceWeight();
+  avoidance.coverageWeight = source->GetCoverageWeight();
+  avoidance.varianceWeight = source->GetDirectionalVarianceWeight();
+  avoidance.depthWeight = source->GetDepthWeight();
+  avoidance.lambda = source->GetEmphasis();
+  avoidance.globalOpacity = source->GetGlobalOpacity();
+  avoidance.smoothAttributes = source->GetSmoothAttributes();
+  return avoidance;
 }
 
 // What came with VTK 9.3.
@@ -231,12 +255,6 @@ void vtkReferenceScene::TakeProp(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-const vtkOptimizedScene::Member* vtkReferenceScene::FindMember(vtkActor* actor) const
-{
-  return this->Optimized.HasOptimization() ? this->Optimized.Find(actor) : nullptr;
-}
-
-//------------------------------------------------------------------------------
 pellucid::Surface<double> vtkReferenceScene::MakeSurface(vtkActor* actor, vtkMapper* mapper)
 {
   vtkProperty* property = actor->GetProperty();
@@ -246,13 +264,16 @@ pellucid::Surface<double> vtkReferenceScene::MakeSurface(vtkActor* actor, vtkMap
     actor->GetBackfaceProperty() ? ToMaterial(actor->GetBackfaceProperty()) : surface.front;
   surface.opaque = !actor->HasTranslucentPolygonalGeometry();
   surface.lit = property->GetLighting();
-  const vtkOptimizedScene::Member* member = this->FindMember(actor);
-  if (auto* optimization =
-        vtkOpacityOptimization::SafeDownCast(member ? member->Settings : nullptr))
+  if (const vtkOptimizedScene::Member* member = this->Optimized.Find(actor))
   {
-    surface.optimization = pellucid::OpacityParameters<double>{ optimization->GetOcclusionWeight(),
-      optimization->GetClutterWeight(), optimization->GetEmphasis(),
-      !optimization->GetSelfOcclusion() };
+    if (auto* optimization = vtkOpacityOptimization::SafeDownCast(member->Settings))
+    {
+      surface.optimization = ToParameters(optimization);
+    }
+    if (auto* avoidance = vtkOcclusionAvoidance::SafeDownCast(member->Settings))
+    {
+      surface.avoidance = ToParameters(avoidance);
+    }
   }
   surface.cullBack = property->GetBackfaceCulling() != 0;
   surface.cullFront = property->GetFrontfaceCulling() && !surface.cullBack;
@@ -297,7 +318,7 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
   mapper->Update();
   vtkReferenceTarget target{ this->Scene, mapper, property, this->MakeSurface(actor, mapper),
     this->WorldToView * ToMatrix(modelToWorld), nullptr, &this->Optimized,
-    this->FindMember(actor) };
+    this->Optimized.Find(actor) };
   vtkReferenceRejects rejects;
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {

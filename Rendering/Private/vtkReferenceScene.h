@@ -34,7 +34,7 @@ public:
 
   const pellucid::Scene<double>& GetScene() const { return this->Scene; }
 
-  /** The segments of the actors whose opacities are optimised. */
+  /** The actors whose opacities follow from importance. */
   const vtkOptimizedScene& GetOptimizedScene() const { return this->Optimized; }
 
   /** Kind of what was left out -> how many of it. */
@@ -46,7 +46,6 @@ private:
   pellucid::Light<double> MakeLight(vtkLight* source) const;
   void TakeProp(vtkProp* prop);
   void TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld);
-  const vtkOptimizedScene::Member* FindMember(vtkActor* actor) const;
   pellucid::Surface<double> MakeSurface(vtkActor* actor, vtkMapper* mapper);
   glm::dmat3 NormalToView() const;
   void Omit(const std::string& kind, vtkIdType count = 1);
