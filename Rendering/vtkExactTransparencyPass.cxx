@@ -7,8 +7,11 @@
 #include "Private/vtkFragmentLists.h"
 #include "Private/vtkFragmentStages.h"
 #include "Private/vtkFragmentTiles.h"
+#include "Private/vtkLongFragmentList.h"
 #include "Private/vtkOpaqueLayer.h"
 #include "Private/vtkOptimizedScene.h"
+#include "Private/vtkPictureView.h"
+#include "Private/vtkPixelAttributes.h"
 #include "Private/vtkSceneSignature.h"
 #include "Private/vtkSegmentOpacities.h"
 #include "Private/vtkStageTimers.h"
@@ -58,17 +61,20 @@ struct vtkExactTransparencyPass::Internals
     vtkFragmentLists Lists;
     vtkFragmentStages Stages;
     vtkSegmentOpacities Opacities;
+    vtkPixelAttributes Attributes;
     vtkOpaqueLayer Opaque;
     vtkStageTimers Timers;
     vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
 
     // What the frames before have left that is still right.
-    bool HasLists = false;  ///< of the whole picture, sorted
-    bool HasSolved = false; ///< the opacities of all segments
+    bool HasLists = false;   ///< of the whole picture, sorted
+    bool HasSolved = false;  ///< the opacities of all segments
+    bool HasAvoided = false; ///< the lists have the factors of occlusion avoidance
 
     vtkIdType GetBytes() const
     {
-      return this->Lists.GetBytes() + this->Opacities.GetBytes() + this->Opaque.GetBytes();
+      return this->Lists.GetBytes() + this->Opacities.GetBytes() + this->Attributes.GetBytes() +
+        this->Opaque.GetBytes();
     }
   };
   std::unique_ptr<Resources> GPU = std::make_unique<Resources>();
@@ -129,6 +135,7 @@ struct vtkExactTransparencyPass::Internals
         this->GPU->Lists.Release();
         this->GPU->Stages.Release();
         this->GPU->Opacities.Release();
+        this->GPU->Attributes.Release();
         this->GPU->Opaque.Release();
         this->GPU->FXAAFilter->ReleaseGraphicsResources();
       }
@@ -318,6 +325,10 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
   {
     this->OptimizeOpacities(state, image);
   }
+  if (internal.Scene.HasAvoidance())
+  {
+    this->PrepareAvoidance(state, image);
+  }
   if (this->View == VIEW_LENGTH)
   {
     this->ForTiles(state, image, 1, [] {});
@@ -354,6 +365,7 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
   if (isFirst || change != Change::None)
   {
     gpu.HasSolved = false;
+    gpu.HasAvoided = false;
     scene.MapImportances();
     const bool uploaded = isFirst || change == Change::Segments
       ? gpu.Opacities.Upload(scene)
@@ -457,6 +469,84 @@ void vtkExactTransparencyPass::FadeOpacities()
     internal.SolutionTime = now;
     internal.Fading = gpu.Opacities.HasSolved();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::PrepareAvoidance(
+  const vtkRenderState* state, const vtkPixelRectangle& image)
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  if (gpu.HasLists && gpu.HasAvoided)
+  {
+    return;
+  }
+  vtkRenderer* renderer = state->GetRenderer();
+  if (!gpu.Attributes.Prepare(renderer, image, internal.Scene.SmoothsPixels()))
+  {
+    vtkErrorMacro("OpenGL has no room for the attributes of "
+      << image.GetNumberOfPixels() << " pixels. They are not smoothed in this picture.");
+    gpu.Attributes.Prepare(renderer, image, false);
+  }
+  if (gpu.Attributes.Smooths())
+  {
+    this->ForTiles(state, image, 1, [this] { this->FindAttributes(); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::FindAttributes()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  vtkStageTimers::Scope stage(gpu.Timers, "attributes");
+  gpu.Attributes.Bind();
+  this->DrawOffScreen(
+    [&] { gpu.Stages.FindAttributes(internal.Window, gpu.Opaque, internal.Tile, gpu.Attributes); });
+  if (internal.LongLists > 0)
+  {
+    std::vector<vtkPixelAttributes::Attributes> pixels = gpu.Attributes.Read();
+    gpu.Lists.VisitLongLists(internal.LongLists, gpu.Opaque.GetSamples(),
+      [&](vtkLongFragmentList& list, std::uint32_t pixel) {
+        pixels[gpu.Attributes.GetIndex(internal.Tile, pixel)] = list.GetAttributes(&gpu.Attributes);
+      });
+    gpu.Attributes.Write(pixels);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::Avoid()
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  vtkStageTimers::Scope stage(gpu.Timers, "avoid");
+  gpu.Opacities.BindTables();
+  gpu.Attributes.Bind();
+  this->DrawOffScreen(
+    [&] { gpu.Stages.Avoid(internal.Window, gpu.Opaque, internal.Tile, gpu.Attributes); });
+  gpu.HasAvoided = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::CollapseLongLists(const vtkPictureView& view)
+{
+  Internals& internal = *this->Internal;
+  Internals::Resources& gpu = *internal.GPU;
+  const bool avoids = internal.Scene.HasAvoidance();
+  const auto attributes = avoids && gpu.Attributes.Smooths()
+    ? gpu.Attributes.Read()
+    : std::vector<vtkPixelAttributes::Attributes>();
+  const auto avoid = [&](vtkLongFragmentList& list, std::uint32_t pixel)
+  {
+    if (avoids)
+    {
+      list.Avoid(internal.Scene, gpu.Attributes,
+        gpu.Attributes.Smooth(attributes, gpu.Attributes.GetIndex(internal.Tile, pixel)));
+    }
+  };
+  gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), view,
+    internal.StoresImportance ? gpu.Opacities.Read() : std::vector<float>(), avoid);
+  gpu.HasLists = false;
 }
 
 //------------------------------------------------------------------------------
@@ -593,6 +683,7 @@ vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "gather");
   this->Statistics->SetGatherPasses(this->Statistics->GetGatherPasses() + 1);
+  gpu.HasAvoided = false;
   gpu.Lists.Clear(internal.Tile.GetNumberOfPixels());
   gpu.Lists.Bind();
   if (internal.StoresImportance)
@@ -669,13 +760,15 @@ void vtkExactTransparencyPass::Resolve()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
+  if (internal.Scene.HasAvoidance() && !gpu.HasAvoided)
+  {
+    this->Avoid();
+  }
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
   const vtkPictureView view{ this->View, this->Layer, internal.LongestList };
   if (internal.LongLists > 0)
   {
-    gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), view,
-      internal.StoresImportance ? gpu.Opacities.Read() : std::vector<float>());
-    gpu.HasLists = false;
+    this->CollapseLongLists(view);
   }
   if (internal.StoresImportance)
   {

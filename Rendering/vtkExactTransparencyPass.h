@@ -68,6 +68,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkFloatArray;
 class vtkRenderWindow;
+struct vtkPictureView;
 struct vtkPixelRectangle;
 
 class VTKPELLUCIDRENDERING_EXPORT vtkExactTransparencyPass : public vtkOpenGLRenderPass
@@ -212,6 +213,10 @@ private:
   void ForgetWhatChanged(const vtkRenderState* state, const vtkPixelRectangle& image);
   void OptimizeOpacities(const vtkRenderState* state, const vtkPixelRectangle& image);
   void FadeOpacities();
+  void PrepareAvoidance(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void FindAttributes();
+  void Avoid();
+  void CollapseLongLists(const vtkPictureView& view);
   void ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image, int scale,
     const std::function<void()>& work);
   bool GatherTile(const vtkRenderState* state);

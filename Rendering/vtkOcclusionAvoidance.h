@@ -12,7 +12,7 @@
  * - coverage C: their number;
  * - maximum importance M, in [0,1], and the depth D of the nearest fragment that has it;
  * - directional variance V = 1 - |sum of the tangents| / their number, in [0,1], over the fragments
- *   of lines: 0 where all are parallel, and where there are none.
+ *   of lines that are faded so: 0 where all are parallel, and where there are none.
  *
  * The opacity of each fragment of importance g is multiplied by the global opacity, and by
  *
@@ -102,8 +102,8 @@ public:
   ///@{
   /**
    * Whether M and D are means over the 5 x 5 pixels around that have a fragment, which softens the
-   * borders of what is faded (section 3.2.1 there); D is then a distance along the view direction.
-   * Costs one more stage. Off by default.
+   * borders of what is faded (section 3.2.1 there); D is then a distance along the view direction,
+   * and what is of that importance itself is not in front. Costs one more stage. Off by default.
    */
   vtkSetMacro(SmoothAttributes, bool);
   vtkGetMacro(SmoothAttributes, bool);

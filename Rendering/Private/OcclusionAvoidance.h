@@ -43,6 +43,12 @@ struct PixelAttributes
   /** V = 1 - |sum of the tangents| / their number, in [0,1]: 0 where all are parallel, and where
    * there is none. */
   Real directionalVariance = 0;
+
+  ///@{
+  /** Importance and depth of the pixel itself, where those above are smoothed. */
+  Real ownImportance = 0;
+  Real ownDepth = 0;
+  ///@}
 };
 
 /** The attributes of a pixel with these fragments, in any order. */
@@ -68,6 +74,8 @@ PixelAttributes<Real> ComputePixelAttributes(const std::vector<AttributeFragment
       directions += 1;
     }
   }
+  pixel.ownImportance = pixel.importance;
+  pixel.ownDepth = pixel.depth;
   if (directions > 0)
   {
     pixel.directionalVariance = std::max(Real(0), 1 - glm::length(sum) / directions);
@@ -76,44 +84,54 @@ PixelAttributes<Real> ComputePixelAttributes(const std::vector<AttributeFragment
 }
 
 /**
- * Soften the borders of what is important: importance and depth of each pixel that has a fragment
- * become their means over those of the 5 x 5 pixels around it that have one. Bandle 2016, section
- * 3.2.1, also takes the empty ones into the mean. `pixels` are the rows of an image one after the
- * other, `width` pixels each.
+ * The attributes of the pixel in column x of row y, with the borders of what is important softened:
+ * importance and depth of a pixel that has a fragment become their means over those of the 5 x 5
+ * pixels around it that have one. Bandle 2016, section 3.2.1, also takes the empty ones into the
+ * mean. `pixels` are the rows of an image one after the other, `width` pixels each.
  */
+template <typename Real>
+PixelAttributes<Real> SmoothPixelAttributes(
+  const std::vector<PixelAttributes<Real>>& pixels, int width, int x, int y)
+{
+  constexpr int radius = 2;
+  const int height = static_cast<int>(pixels.size() / width);
+  const auto at = [width](int column, int row)
+  { return static_cast<std::size_t>(row) * width + column; };
+  PixelAttributes<Real> pixel = pixels[at(x, y)];
+  if (!(pixel.coverage > 0))
+  {
+    return pixel;
+  }
+  pixel.importance = 0;
+  pixel.depth = 0;
+  Real count = 0;
+  for (int row = std::max(0, y - radius); row <= std::min(height - 1, y + radius); ++row)
+  {
+    for (int column = std::max(0, x - radius); column <= std::min(width - 1, x + radius); ++column)
+    {
+      const auto& neighbor = pixels[at(column, row)];
+      if (neighbor.coverage > 0)
+      {
+        pixel.importance += neighbor.importance;
+        pixel.depth += neighbor.depth;
+        count += 1;
+      }
+    }
+  }
+  pixel.importance /= count;
+  pixel.depth /= count;
+  return pixel;
+}
+
+/** The same for all pixels. */
 template <typename Real>
 void SmoothPixelAttributes(std::vector<PixelAttributes<Real>>& pixels, int width)
 {
-  constexpr int radius = 2;
   const auto original = pixels;
-  const int height = width > 0 ? static_cast<int>(pixels.size() / width) : 0;
-  const auto at = [width](int x, int y) { return static_cast<std::size_t>(y) * width + x; };
-  for (int y = 0; y < height; ++y)
+  for (std::size_t i = 0; i < pixels.size(); ++i)
   {
-    for (int x = 0; x < width; ++x)
-    {
-      PixelAttributes<Real> sum;
-      Real count = 0;
-      for (int v = std::max(0, y - radius); v <= std::min(height - 1, y + radius); ++v)
-      {
-        for (int u = std::max(0, x - radius); u <= std::min(width - 1, x + radius); ++u)
-        {
-          const auto& neighbor = original[at(u, v)];
-          if (neighbor.coverage > 0)
-          {
-            sum.importance += neighbor.importance;
-            sum.depth += neighbor.depth;
-            count += 1;
-          }
-        }
-      }
-      auto& pixel = pixels[at(x, y)];
-      if (pixel.coverage > 0)
-      {
-        pixel.importance = sum.importance / count;
-        pixel.depth = sum.depth / count;
-      }
-    }
+    pixels[i] = SmoothPixelAttributes(
+      original, width, static_cast<int>(i % width), static_cast<int>(i / width));
   }
 }
 
@@ -148,10 +166,13 @@ struct OcclusionAvoidance
   bool smoothAttributes = false;
 
   /** The factor in [0,1] on the opacity of a fragment. A weighted one is (eqs. 3.2 and 3.3)
-   * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [depth < D])). */
+   * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [depth < D])). Of smoothed attributes, D is behind
+   * some of what is most important, the nearest part of a ball for example: this does not count as
+   * in front of itself. */
   Real Factor(Real depth, Real importance, const PixelAttributes<Real>& pixel) const
   {
-    const bool inFront = depth < pixel.depth;
+    const bool isImportant = pixel.ownImportance >= pixel.importance && depth >= pixel.ownDepth;
+    const bool inFront = depth < pixel.depth && !isImportant;
     if (this->mode == PENALTY)
     {
       return this->globalOpacity * (inFront ? this->penalty : Real(1));

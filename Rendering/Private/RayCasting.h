@@ -292,6 +292,7 @@ private:
       surface.opaque ? Real(1) : Saturate(alpha) };
     fragment.distance = -position.z;
     fragment.avoidance = surface.GetAvoidance();
+    fragment.tangent = surface.avoidance ? fragment.tangent : Vector3<Real>(Real(0));
     pixel.Add(fragment, surface.opaque);
   }
 

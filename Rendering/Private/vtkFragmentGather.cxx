@@ -20,6 +20,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkSurfaceImportanceDec.h"
 #include "vtkSurfaceImportanceVS.h"
+#include "vtkTangentDec.h"
 
 #include <regex>
 
@@ -133,8 +134,8 @@ void vtkFragmentGather::EditFragmentShader(
   const std::string declarations =
     vtkFragmentLists::GetShaderDefinitions(this->Samples, this->StoresImportance) +
     vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkOpaqueDepthDec +
-    (this->StoresImportance ? vtkFragmentImportanceDec : "") + vtkFragmentAppendDec +
-    (needsImportance ? vtkSurfaceImportanceDec : "");
+    (this->StoresImportance ? std::string(vtkFragmentImportanceDec) + vtkTangentDec : "") +
+    vtkFragmentAppendDec + (needsImportance ? vtkSurfaceImportanceDec : "");
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
@@ -162,6 +163,7 @@ void vtkFragmentGather::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   {
     const vtkOptimizedScene::Part& part = member->FindPart(mapper);
     program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
+    program->SetUniformi("pellucidAvoids", member->Avoids ? 1 : 0);
     program->SetUniformi(
       "pellucidFirstCorner", part.HasCorners ? static_cast<int>(part.FirstCorner) : -1);
     program->SetUniformi("pellucidFirstCornerOpacity",

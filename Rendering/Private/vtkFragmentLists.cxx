@@ -219,7 +219,7 @@ void vtkFragmentLists::ForLongLists(
       for (vtkIdType i = begin; i < end; ++i)
       {
         const std::uint32_t* entry = entries.Data + i * (1 + samples);
-        work(i, nodes, pixelHeads[entry[0]], entry + 1);
+        work(i, nodes, pixelHeads[entry[0]], entry);
       }
     });
 }
@@ -256,17 +256,29 @@ vtkIdType vtkFragmentLists::MeasureLongLists(std::uint32_t count, int samples)
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentLists::CollapseLongLists(
-  std::uint32_t count, int samples, const vtkPictureView& view, const std::vector<float>& opacities)
+void vtkFragmentLists::CollapseLongLists(std::uint32_t count, int samples,
+  const vtkPictureView& view, const std::vector<float>& opacities, const LongListWork& avoid)
 {
   this->ForLongLists(count, samples, !opacities.empty(),
-    [&](vtkIdType, const Nodes& nodes, std::uint32_t& head, const std::uint32_t* opaqueLimits)
+    [&](vtkIdType, const Nodes& nodes, std::uint32_t& head, const std::uint32_t* entry)
     {
       vtkLongFragmentList list(nodes, head);
       list.Fade(opacities);
+      avoid(list, entry[0]);
       list.Show(view);
-      list.Collapse(opaqueLimits, samples);
+      list.Collapse(entry + 1, samples);
       head |= CollapsedBit;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::VisitLongLists(std::uint32_t count, int samples, const LongListWork& visit)
+{
+  this->ForLongLists(count, samples, true,
+    [&](vtkIdType, const Nodes& nodes, std::uint32_t head, const std::uint32_t* entry)
+    {
+      vtkLongFragmentList list(nodes, head);
+      visit(list, entry[0]);
     });
 }
 

@@ -26,11 +26,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkLongFragmentList;
 class vtkOptimizedScene;
 struct vtkPictureView;
 
@@ -93,6 +95,9 @@ public:
     Position* Positions = nullptr;
   };
 
+  /** Works on one sorted list, of a pixel of the tile; for different pixels at the same time. */
+  using LongListWork = std::function<void(vtkLongFragmentList& list, std::uint32_t pixel)>;
+
   vtkFragmentLists() = default;
   ~vtkFragmentLists() = default;
   vtkFragmentLists(const vtkFragmentLists&) = delete;
@@ -135,10 +140,13 @@ public:
    * Sort and composite on the CPU the lists that were too long for the shader, as the view shows
    * them, with the opacities that vtkSegmentOpacities shows, or where these are empty without. Each
    * list becomes one node for every group of fragments that the same samples see, which the resolve
-   * only composites.
+   * only composites. `avoid` applies occlusion avoidance to the list of a pixel of the tile.
    */
   void CollapseLongLists(std::uint32_t count, int samples, const vtkPictureView& view,
-    const std::vector<float>& opacities);
+    const std::vector<float>& opacities, const LongListWork& avoid);
+
+  /** Call for each of these lists. */
+  void VisitLongLists(std::uint32_t count, int samples, const LongListWork& visit);
 
   void Release();
 

@@ -4,6 +4,7 @@
 #include "vtkFragmentStages.h"
 
 #include "vtkExactTransparencyPass.h"
+#include "vtkFragmentAvoidFS.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
@@ -14,9 +15,14 @@
 #include "vtkOpaqueLayer.h"
 #include "vtkOptimizedOpacityDec.h"
 #include "vtkPictureViewDec.h"
+#include "vtkPixelAttributes.h"
+#include "vtkPixelAttributesDec.h"
+#include "vtkPixelAttributesFS.h"
+#include "vtkPowerDec.h"
 #include "vtkSegmentOpacities.h"
 #include "vtkSegmentTablesDec.h"
 #include "vtkShaderProgram.h"
+#include "vtkTangentDec.h"
 
 #include <sstream>
 
@@ -51,12 +57,12 @@ void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectang
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPictureView& view,
-  const std::string& moreDefinitions)
+  const vtkPixelRectangle& tile, const char* fragmentShader, const std::string& moreDefinitions,
+  const std::function<void(vtkShaderProgram*)>& setMoreUniforms)
 {
   const std::string definitions =
     vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->StoresImportance) +
-    vtkSegmentOpacities::GetShaderDefinitions() + GetViewDefinitions(view) + moreDefinitions;
+    vtkSegmentOpacities::GetShaderDefinitions() + moreDefinitions;
   const auto whereStored = [this](const char* code) { return this->StoresImportance ? code : ""; };
   std::string source = fragmentShader;
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Definitions", definitions);
@@ -69,15 +75,19 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
   vtkShaderProgram::Substitute(
     source, "//VTK::Pellucid::Opacity", whereStored(vtkOptimizedOpacityDec));
 
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Pellucid::View", view.Kind == 0 ? "" : vtkPictureViewDec);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Power", vtkPowerDec);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Tangent", vtkTangentDec);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Attributes", vtkPixelAttributesDec);
+  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::View", vtkPictureViewDec);
   this->Stage.Draw(window, source,
     [&](vtkShaderProgram* program)
     {
       vtkFragmentStages::SetTile(program, tile);
       opaque.SetUniforms(program);
-      program->SetUniformi("pellucidLayer", view.Layer);
-      program->SetUniformi("pellucidLongestOfPicture", static_cast<int>(view.LongestList));
+      if (setMoreUniforms)
+      {
+        setMoreUniforms(program);
+      }
     });
 }
 
@@ -98,15 +108,39 @@ void vtkFragmentStages::Solve(
 }
 
 //------------------------------------------------------------------------------
+void vtkFragmentStages::FindAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
+{
+  this->Draw(window, opaque, tile, vtkPixelAttributesFS,
+    vtkPixelAttributes::GetShaderDefinitions(attributes.Smooths()),
+    [&attributes](vtkShaderProgram* program) { attributes.SetUniforms(program); });
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::Avoid(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
+{
+  this->Draw(window, opaque, tile, vtkFragmentAvoidFS,
+    vtkPixelAttributes::GetShaderDefinitions(attributes.Smooths()),
+    [&attributes](vtkShaderProgram* program) { attributes.SetUniforms(program); });
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
 void vtkFragmentStages::Resolve(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
   const vtkPixelRectangle& tile, const vtkPictureView& view)
 {
-  this->Draw(
-    window, opaque, tile, vtkFragmentResolveFS, view, "#define PELLUCID_SAMPLE_SHADING 0\n");
+  const auto setView = [&view](vtkShaderProgram* program)
+  {
+    program->SetUniformi("pellucidLayer", view.Layer);
+    program->SetUniformi("pellucidLongestOfPicture", static_cast<int>(view.LongestList));
+  };
+  const std::string definitions = GetViewDefinitions(view) + "#define PELLUCID_SAMPLE_SHADING ";
+  this->Draw(window, opaque, tile, vtkFragmentResolveFS, definitions + "0\n", setView);
   if (opaque.GetSamples() > 1)
   {
-    this->Draw(
-      window, opaque, tile, vtkFragmentResolveFS, view, "#define PELLUCID_SAMPLE_SHADING 1\n");
+    this->Draw(window, opaque, tile, vtkFragmentResolveFS, definitions + "1\n", setView);
   }
 }
 

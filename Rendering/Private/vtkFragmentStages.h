@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The image-space stages on the fragment lists of one tile: sort and resolve. Each draws one
+ * The image-space stages on the fragment lists of one tile. Each draws one
  * triangle over the tile with a program of its own.
  */
 
@@ -12,12 +12,14 @@
 #include "vtkPictureView.h"
 #include "vtkStageDraw.h"
 
+#include <functional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOpaqueLayer;
 class vtkOpenGLRenderWindow;
+class vtkPixelAttributes;
 class vtkShaderProgram;
 
 class vtkFragmentStages
@@ -42,6 +44,17 @@ public:
   void Solve(
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
 
+  ///@{
+  /**
+   * Find the attributes of the pixels, and the factors on opacities that follow from them. The
+   * first is needed where they are smoothed. Framebuffer as for Sort.
+   */
+  void FindAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes);
+  void Avoid(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes);
+  ///@}
+
   /**
    * Composite the sorted lists over the opaque layer into the current framebuffer. May be repeated:
    * the result does not depend on what the framebuffer holds.
@@ -59,8 +72,9 @@ public:
 
 private:
   void Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPictureView& view = {},
-    const std::string& moreDefinitions = std::string());
+    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const std::string& moreDefinitions = std::string(),
+    const std::function<void(vtkShaderProgram*)>& setMoreUniforms = {});
 
   bool StoresImportance = false;
   vtkStageDraw Stage;

@@ -8,6 +8,7 @@
 #include "vtkExactTransparencyPass.h"
 #include "vtkOptimizedScene.h"
 #include "vtkPictureView.h"
+#include "vtkPixelAttributes.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,48 @@ Color Pack(const Layer& layer)
   std::memcpy(&alphaBits, &alpha, sizeof(alpha));
   alphaBits = (alphaBits + 32u) >> 6;
   return { rgb[2] | (rgb[1] << 13) | (rgb[0] << 26), (rgb[0] >> 6) | (alphaBits << 7) };
+}
+
+pellucid::OcclusionAvoidance<double> ToAvoidance(const vtkOptimizedScene::Parameters& actor)
+{
+  using Avoidance = pellucid::OcclusionAvoidance<double>;
+  Avoidance avoidance;
+  avoidance.mode = (actor.Avoids & vtkOptimizedScene::AvoidsByWeighting) != 0 ? Avoidance::WEIGHTING
+                                                                              : Avoidance::PENALTY;
+  avoidance.penalty = actor.Penalty;
+  avoidance.importanceWeight = actor.ImportanceWeight;
+  avoidance.coverageWeight = actor.CoverageWeight;
+  avoidance.varianceWeight = actor.VarianceWeight;
+  avoidance.depthWeight = actor.DepthWeight;
+  avoidance.lambda = actor.Lambda;
+  avoidance.globalOpacity = actor.GlobalOpacity;
+  avoidance.smoothAttributes = (actor.Avoids & vtkOptimizedScene::SmoothsAttributes) != 0;
+  return avoidance;
+}
+
+bool IsAvoiding(const vtkFragmentLists::Importance& importance)
+{
+  return (importance.Segment & vtkSegmentOpacities::AvoidingBit) != 0;
+}
+
+// The inverse of pellucidPackTangent in glsl/vtkTangentDec.glsl.
+pellucid::Vector3<double> UnpackTangent(std::uint32_t packed)
+{
+  if (packed == 0)
+  {
+    return pellucid::Vector3<double>(0.0);
+  }
+  const auto unpack = [](std::uint32_t part)
+  { return (static_cast<double>(part) - 32768.0) / 32767.0; };
+  pellucid::Vector3<double> v(unpack(packed & 65535u), unpack(packed >> 16), 0.0);
+  v.z = 1.0 - std::abs(v.x) - std::abs(v.y);
+  if (v.z < 0.0)
+  {
+    const double x = v.x;
+    v.x = std::copysign(1.0 - std::abs(v.y), v.x);
+    v.y = std::copysign(1.0 - std::abs(x), v.y);
+  }
+  return glm::normalize(v);
 }
 
 /** Front-to-back accumulation, premultiplied. */
@@ -106,9 +149,10 @@ vtkLongFragmentList::vtkLongFragmentList(const vtkFragmentLists::Nodes& nodes, s
   std::sort(this->Fragments.begin(), this->Fragments.end(),
     [](const Fragment& a, const Fragment& b)
     {
-      return std::tie(
-               a.DepthBits, a.Color.High, a.Color.Low, a.Importance.Bits, a.Importance.Segment) <
-        std::tie(b.DepthBits, b.Color.High, b.Color.Low, b.Importance.Bits, b.Importance.Segment);
+      return std::tie(a.DepthBits, a.Color.High, a.Color.Low, a.Importance.Bits,
+               a.Importance.Segment, a.Position.Opacity, a.Position.Share) <
+        std::tie(b.DepthBits, b.Color.High, b.Color.Low, b.Importance.Bits, b.Importance.Segment,
+          b.Position.Opacity, b.Position.Share);
     });
 }
 
@@ -127,7 +171,8 @@ void vtkLongFragmentList::Solve(
   {
     const std::uint32_t segment = fragment.Importance.Segment;
     list.push_back({ ToFloat(fragment.Importance.Bits), segment,
-      segment == 0 ? nullptr : &parameters[scene.GetActors()[segment]] });
+      segment == 0 || IsAvoiding(fragment.Importance) ? nullptr
+                                                      : &parameters[scene.GetActors()[segment]] });
   }
   std::vector<double> solution;
   pellucid::SolveOpacities(list, solution);
@@ -146,9 +191,49 @@ void vtkLongFragmentList::Fade(const std::vector<float>& opacities)
 {
   for (Fragment& fragment : this->Fragments)
   {
-    fragment.Factor = opacities.empty() ? 1.0
-                                        : vtkSegmentOpacities::Interpolate(opacities,
-                                            fragment.Position.Opacity, fragment.Position.Share);
+    fragment.Factor = opacities.empty() || IsAvoiding(fragment.Importance)
+      ? 1.0
+      : vtkSegmentOpacities::Interpolate(
+          opacities, fragment.Position.Opacity, fragment.Position.Share);
+  }
+}
+
+//------------------------------------------------------------------------------
+pellucid::PixelAttributes<double> vtkLongFragmentList::GetAttributes(
+  const vtkPixelAttributes* distances) const
+{
+  std::vector<pellucid::AttributeFragment<double>> fragments;
+  for (const Fragment& fragment : this->Fragments)
+  {
+    const double depth = ToFloat(fragment.DepthBits);
+    fragments.push_back(
+      { distances ? distances->GetDistance(depth) : depth, ToFloat(fragment.Importance.Bits),
+        IsAvoiding(fragment.Importance) ? UnpackTangent(fragment.Position.Opacity)
+                                        : pellucid::Vector3<double>(0.0) });
+  }
+  return pellucid::ComputePixelAttributes(fragments);
+}
+
+//------------------------------------------------------------------------------
+void vtkLongFragmentList::Avoid(const vtkOptimizedScene& scene, const vtkPixelAttributes& pixels,
+  const pellucid::PixelAttributes<double>& smooth)
+{
+  const auto sharp = this->GetAttributes(nullptr);
+  auto smoothed = this->GetAttributes(&pixels);
+  smoothed.importance = smooth.importance;
+  smoothed.depth = smooth.depth;
+  for (Fragment& fragment : this->Fragments)
+  {
+    if (IsAvoiding(fragment.Importance))
+    {
+      const std::uint32_t segment = fragment.Importance.Segment & ~vtkSegmentOpacities::AvoidingBit;
+      const auto avoidance = ToAvoidance(scene.GetParameters()[scene.GetActors()[segment]]);
+      const double depth = ToFloat(fragment.DepthBits);
+      const double importance = ToFloat(fragment.Importance.Bits);
+      fragment.Factor = avoidance.smoothAttributes
+        ? avoidance.Factor(pixels.GetDistance(depth), importance, smoothed)
+        : avoidance.Factor(depth, importance, sharp);
+    }
   }
 }
 
@@ -185,7 +270,8 @@ void vtkLongFragmentList::Show(const vtkPictureView& view)
         replace(pellucid::HotColor<double>(ToFloat(fragment.Importance.Bits)));
         break;
       case Pass::VIEW_SEGMENTS:
-        replace(pellucid::SegmentColor<double>(fragment.Importance.Segment));
+        replace(pellucid::SegmentColor<double>(
+          IsAvoiding(fragment.Importance) ? 0 : fragment.Importance.Segment));
         break;
       case Pass::VIEW_LENGTH:
         replace(pellucid::HotColor(length / static_cast<double>(view.LongestList)));

@@ -8,6 +8,7 @@
 #ifndef vtkLongFragmentList_h
 #define vtkLongFragmentList_h
 
+#include "OcclusionAvoidance.h"
 #include "vtkFragmentLists.h"
 #include "vtkSegmentOpacities.h"
 
@@ -17,6 +18,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOptimizedScene;
+class vtkPixelAttributes;
 struct vtkPictureView;
 
 class vtkLongFragmentList
@@ -33,6 +35,18 @@ public:
   /** Multiply the opacity of each fragment by the one that follows from importance, if there are
    * any; see glsl/vtkOptimizedOpacityDec.glsl. */
   void Fade(const std::vector<float>& opacities);
+
+  /** Of the pixel; depths are distances along the view direction where `distances` are given, else
+   * those of the window. */
+  pellucid::PixelAttributes<double> GetAttributes(const vtkPixelAttributes* distances) const;
+
+  /**
+   * Multiply the opacity of each fragment of an actor with occlusion avoidance by the factor that
+   * follows from the attributes of its pixel. `smooth` are the smoothed ones, of importance and
+   * distance only, for actors that want them.
+   */
+  void Avoid(const vtkOptimizedScene& scene, const vtkPixelAttributes& pixels,
+    const pellucid::PixelAttributes<double>& smooth);
 
   /** Change each fragment to what the view shows of it; see glsl/vtkPictureViewDec.glsl. */
   void Show(const vtkPictureView& view);

@@ -379,6 +379,13 @@ bool vtkOptimizedScene::HasAvoidance() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkOptimizedScene::SmoothsPixels() const
+{
+  return std::any_of(this->ActorParameters.begin(), this->ActorParameters.end(),
+    [](const Parameters& actor) { return (actor.Avoids & SmoothsAttributes) != 0; });
+}
+
+//------------------------------------------------------------------------------
 const vtkOptimizedScene::Member* vtkOptimizedScene::Find(vtkProp* prop) const
 {
   const auto member = this->Members.find(prop);

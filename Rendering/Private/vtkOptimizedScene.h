@@ -112,6 +112,9 @@ public:
   /** Whether occlusion avoidance can fade anything: an actor's factors can differ from 1. */
   bool HasAvoidance() const;
 
+  /** Whether it smooths the attributes of pixels, for any actor. */
+  bool SmoothsPixels() const;
+
   /** Whether any actor takes part. */
   bool HasMembers() const { return !this->Members.empty(); }
 

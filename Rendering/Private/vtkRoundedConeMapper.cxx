@@ -489,7 +489,8 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     if (!this->Segments.empty())
     {
       PassNodeValue(vertex, fragment, { "Segment", "ivec4", this->SegmentTexture.Sampler, "xyzw" });
-      fragment.Prepend("//VTK::NodeValue::Dec", "uniform int pellucidFirstSegment;\n");
+      fragment.Prepend("//VTK::NodeValue::Dec",
+        "uniform int pellucidFirstSegment;\nuniform bool pellucidAvoids;\n");
       fragment.Prepend("//VTK::DepthPeeling::Impl", vtkRoundedConeImportanceImplFS);
     }
   }

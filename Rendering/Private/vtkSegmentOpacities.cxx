@@ -38,6 +38,7 @@ constexpr GLuint CornersBinding = 7;
 
 constexpr std::uint32_t Unseen = 0xffffffffu;
 constexpr std::uint32_t TriangleBit = 0x80000000u;
+constexpr std::uint32_t FactorBit = 0x40000000u;
 
 // How far a segment moves towards its neighbours in one step. With 1 the opacities of two
 // neighbours would be exchanged; 1/2 gives the binomial weights 1/4, 1/2, 1/4 on a line.
@@ -65,6 +66,9 @@ std::string vtkSegmentOpacities::GetShaderDefinitions()
   define("UNSEEN", std::to_string(Unseen) + "u");
   define("RELAXATION", Relaxation);
   define("TRIANGLE", std::to_string(TriangleBit) + "u");
+  define("HAS_FACTOR", std::to_string(FactorBit) + "u");
+  define("FACTOR_OF_ONE", std::to_string(FactorBit | 0x3f800000u) + "u");
+  define("AVOIDING", std::to_string(AvoidingBit) + "u");
   return definitions.str();
 }
 

@@ -45,6 +45,9 @@ public:
     float Opacity;
   };
 
+  /** In the segment of a fragment: its opacity follows from occlusion avoidance. */
+  static constexpr std::uint32_t AvoidingBit = 0x80000000u;
+
   vtkSegmentOpacities() = default;
   ~vtkSegmentOpacities() = default;
   vtkSegmentOpacities(const vtkSegmentOpacities&) = delete;

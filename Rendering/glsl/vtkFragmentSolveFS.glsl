@@ -16,11 +16,12 @@
 //VTK::Pellucid::Lists
 //VTK::Pellucid::Importance
 //VTK::Pellucid::Segments
+//VTK::Pellucid::Power
 
-// Whether a fragment is solved and weighs in the sums; `previous` is the segment in front of it
+// Whether a fragment is solved and weighs in the sums, which those of occlusion avoidance do not; `previous` is the segment in front of it
 bool counts(uvec2 fragment, uint previous)
 {
-  return fragment.y != 0u &&
+  return int(fragment.y) > 0 &&
     (fragment.y != previous || pellucidActors[pellucidSegments[fragment.y].y].selfOcclusion != 0u);
 }
 
@@ -28,19 +29,6 @@ double square(uvec2 fragment)
 {
   double importance = double(uintBitsToFloat(fragment.x));
   return importance * importance;
-}
-
-// x^y for x in [0,1], y > 0: whole powers by multiplication, since pow() of some drivers keeps 5 digits
-float power(float x, float y)
-{
-  float result = y == floor(y) || x == 0.0 ? 1.0 : pow(x, fract(y));
-  float factor = x;
-  for (uint n = uint(y); n != 0u; n >>= 1)
-  {
-    result *= (n & 1u) != 0u ? factor : 1.0;
-    factor *= factor;
-  }
-  return x == 0.0 ? 0.0 : result;
 }
 
 void main()
@@ -89,7 +77,7 @@ void main()
       float energy =
         actor.clutterWeight * float(front) + actor.occlusionWeight * float(behind);
       front += own;
-      float unimportance = power(1.0 - uintBitsToFloat(fragment.x), actor.exponent);
+      float unimportance = pellucidPower(1.0 - uintBitsToFloat(fragment.x), actor.exponent);
       uint bits = floatBitsToUint(1.0 / (1.0 + unimportance * energy));
       if (bits < segment.x)
       {

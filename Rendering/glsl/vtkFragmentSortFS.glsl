@@ -8,15 +8,20 @@
 // one insertion sort and a long one n log n steps. Lists above PELLUCID_MAXIMUM_SHADER_LIST are
 // noted for the CPU: software renderers end a shader invocation after some 65,000 loop iterations.
 //
-// Reads and writes: links, heads. Reads: colours and importances of fragments of equal depth. Writes: the longest
+// Reads and writes: links, heads. Reads: colours, importances and positions of fragments of equal depth. Writes: the longest
 // list, the long lists. No colour output.
 
 //VTK::Pellucid::Lists
 //VTK::Pellucid::Importance
 //VTK::Pellucid::OpaqueDepth
 
-// Nearer first; then less opaque; then by red, green, blue; then less important. Nodes equal in all this
-// are interchangeable.
+bool isLess(uvec2 a, uvec2 b)
+{
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
+
+// Nearer first; then less opaque; then by red, green, blue; then less important, and by where they are
+// among the segments. Nodes equal in all this are interchangeable.
 bool isBefore(uint a, uint depthA, uint b, uint depthB)
 {
   if (depthA != depthB)
@@ -30,7 +35,11 @@ bool isBefore(uint a, uint depthA, uint b, uint depthB)
   {
     uvec2 importanceA = pellucidImportances[a];
     uvec2 importanceB = pellucidImportances[b];
-    return importanceA.x != importanceB.x ? importanceA.x < importanceB.x : importanceA.y < importanceB.y;
+    if (importanceA == importanceB)
+    {
+      return isLess(pellucidPositions[a], pellucidPositions[b]);
+    }
+    return isLess(importanceA, importanceB);
   }
 #endif
   return colorA.y != colorB.y ? colorA.y < colorB.y : colorA.x < colorB.x;

@@ -19,6 +19,10 @@ float pellucidMix(vec3 opacities, vec3 shares)
 
 float pellucidOptimizedOpacity(uvec2 position)
 {
+  if ((position.y & (PELLUCID_TRIANGLE | PELLUCID_HAS_FACTOR)) == PELLUCID_HAS_FACTOR)
+  {
+    return uintBitsToFloat(position.y & ~PELLUCID_HAS_FACTOR);
+  }
   float first = pellucidOpacities[position.x];
   if ((position.y & PELLUCID_TRIANGLE) != 0u)
   {

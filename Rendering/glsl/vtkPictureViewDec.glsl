@@ -49,7 +49,7 @@ vec4 pellucidViewed(vec4 color, float factor, uint node, int layer)
 #elif PELLUCID_OPTIMIZE && PELLUCID_VIEW == PELLUCID_VIEW_IMPORTANCE
   return vec4(pellucidHotColor(uintBitsToFloat(pellucidImportances[node].x)), 1.0);
 #elif PELLUCID_OPTIMIZE && PELLUCID_VIEW == PELLUCID_VIEW_SEGMENTS
-  return vec4(pellucidSegmentColor(pellucidImportances[node].y), 1.0);
+  return vec4(pellucidSegmentColor(uint(max(int(pellucidImportances[node].y), 0))), 1.0);
 #else
   return vec4(vec3(0.0), 1.0);
 #endif

@@ -17,6 +17,7 @@ layout(std430, binding = PELLUCID_GATHER_CORNERS_BINDING) readonly buffer Pelluc
 };
 
 uniform int pellucidFirstSegment;
+uniform bool pellucidAvoids;           // the actor's opacities follow from occlusion avoidance
 uniform int pellucidFirstCorner; // in pellucidCorners; -1: the actor is one segment
 uniform int pellucidFirstCornerOpacity;
 
@@ -29,7 +30,12 @@ void pellucidSetImportance()
   float importance = pellucidSaturate(vec3(pellucidImportanceVSOutput)).x;
   pellucidImportance = uvec2(floatBitsToUint(importance), uint(pellucidFirstSegment));
   pellucidPosition = uvec2(uint(pellucidFirstSegment), 0u);
-  if (pellucidFirstCorner >= 0)
+  if (pellucidAvoids)
+  {
+    pellucidImportance.y |= PELLUCID_AVOIDING;
+    pellucidPosition = uvec2(0u, PELLUCID_FACTOR_OF_ONE);
+  }
+  else if (pellucidFirstCorner >= 0)
   {
     int triangle = pellucidVertexVSOutput / 3 * 3;
     vec3 shares = vec3(1.0 - pellucidSharesVSOutput.x - pellucidSharesVSOutput.y, pellucidSharesVSOutput);
