@@ -29,7 +29,7 @@ Examples:
     --exponent 3 --color-by pressure
   pellucid-render winds.nc -o only.png --select TotalPressureDifference:500: --opacity 1
   pellucid-render winds.nc -o clear.png --optimize
-  pellucid-render combxyz.bin -o core.png --preset clear-front --importance density:90%:10%
+  pellucid-render combxyz.bin -o core.png --preset clear-front --importance Density:90%:10%
   pellucid-render lines.vtp -o hint.png --avoid penalty --importance Height:50%:100%
   pellucid-render combxyz.bin -o opacities.png --optimize --view opacity)";
 
@@ -98,7 +98,8 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
     "Values of the first and the last colour, so that pictures compare; default: from the data, "
     "less 1 % at either end");
   group.AddNumber("--opacity", options.Opacity, 0.0, 1.0, "A",
-    "Opacity of everything, 0 to 1; default 0.3, and 1 for what --importance fades");
+    "Opacity of everything, 0 to 1, which importance only lessens; default 0.3, and 1 for what has "
+    "importance");
   group.AddNumber("--radius", options.Radius, 0.0, OptionGroup::Unbounded, "R",
     "Radius of lines and points in world units; default 0: from the data");
   group.AddChoice("--lighting", options.Lighting, { { "on", true }, { "off", false } },

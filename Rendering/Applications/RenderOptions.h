@@ -140,7 +140,7 @@ struct RenderOptions
   // appearance
   std::string ColorBy; // empty: speed of traced lines, or the active or first array
   std::optional<NumberRange> ColorRange; // none: most of the values
-  std::optional<double> Opacity;         // none: 1 where importance decides, else 0.3
+  std::optional<double> Opacity;         // none: 1 with importance, else 0.3
   double Radius = 0.0;                   // world units; 0: from the data
   bool Lighting = true;
 
