@@ -132,13 +132,23 @@ vtkSmartPointer<vtkLookupTable> MakeTable(const NumberRange& range)
 }
 
 //------------------------------------------------------------------------------
+std::string ChooseColorArray(const std::vector<Drawable>& drawables)
+{
+  std::string name;
+  for (auto drawable = drawables.begin(); name.empty() && drawable != drawables.end(); ++drawable)
+  {
+    name = ChooseName(*drawable);
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
 Coloring::Coloring(const std::vector<Drawable>& drawables, const RenderOptions& options)
   : Name(options.ColorBy)
 {
-  for (auto drawable = drawables.begin(); this->Name.empty() && drawable != drawables.end();
-       ++drawable)
+  if (this->Name.empty())
   {
-    this->Name = ChooseName(*drawable);
+    this->Name = ChooseColorArray(drawables);
   }
   if (options.ColorRange && this->Name.empty())
   {

@@ -18,14 +18,20 @@ class vtkMapper;
 
 namespace pellucid
 {
+/**
+ * The array that colours where no option names one: the speed of traced lines, or else the active
+ * or the first array; empty if there is none.
+ */
+std::string ChooseColorArray(const std::vector<Drawable>& drawables);
+
 /** One array name and one range for the whole scene, so that colours compare across inputs. */
 class Coloring
 {
 public:
   /**
-   * Choose the array: the one that the options name, or the speed of traced lines, or else the
-   * active or the first array; and its range: that of the options, or most of the values. Throw
-   * RenderError if the options give a range and there is no array.
+   * Choose the array: the one that the options name, or ChooseColorArray(); and its range: that of
+   * the options, or most of the values. Throw RenderError if the options give a range and there is
+   * no array.
    */
   Coloring(const std::vector<Drawable>& drawables, const RenderOptions& options);
 

@@ -30,6 +30,7 @@ struct Drawable
   std::string Speed;                   // name of the traced vectors; empty: nothing was traced
   std::set<std::string> Computed = {}; // names of arrays that we added
   bool HasImportance = false;          // each part has the point array Importance
+  bool IsFaded = false;                // and it is a factor on the opacity
   bool IsMap = false;                  // x and y are degrees of longitude and latitude
 
   /** The parts that hold points. */

@@ -17,6 +17,7 @@ namespace pellucid
 void FrameStatistics::Take(vtkTransparencyStatistics* statistics)
 {
   this->Fragments = statistics->GetFragments();
+  this->SolvedFragments = statistics->GetSolvedFragments();
   this->LongestList = statistics->GetLongestList();
   this->BufferBytes = statistics->GetBufferBytes();
   this->Tiles = statistics->GetTiles();
@@ -47,6 +48,7 @@ void WriteStatistics(
     { "selected_lines", scene.SelectedLines },
     { "importance_histogram", histogram },
     { "fragments", frame.Fragments },
+    { "solved_fragments", frame.SolvedFragments },
     { "longest_list", frame.LongestList },
     { "buffer_bytes", frame.BufferBytes },
     { "tiles", frame.Tiles },

@@ -28,7 +28,8 @@ struct SceneStatistics
 /** How it was drawn. */
 struct FrameStatistics
 {
-  long long Fragments = 0; // 0 where the method does not count them
+  long long Fragments = 0;       // 0 where the method does not count them
+  long long SolvedFragments = 0; // of those, with an optimised opacity
   long long LongestList = 0;
   long long BufferBytes = 0;
   int Tiles = 0;
@@ -42,8 +43,9 @@ struct FrameStatistics
 
 /**
  * Write JSON with the keys input_points, input_lines, selected_lines, importance_histogram (null,
- * or an object with minimum, maximum and counts), fragments, longest_list, buffer_bytes, tiles,
- * stages (an object: name to milliseconds), renderer and opengl; throw RenderError when that fails.
+ * or an object with minimum, maximum and counts), fragments, solved_fragments, longest_list,
+ * buffer_bytes, tiles, stages (an object: name to milliseconds), renderer and opengl; throw
+ * RenderError when that fails.
  */
 void WriteStatistics(
   const SceneStatistics& scene, const FrameStatistics& frame, const std::string& fileName);

@@ -25,19 +25,10 @@ bool HasPointArray(vtkPolyData* part, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Whether the filter finds the time of the points: then it computes velocities, also of no points.
+// Velocities are computed where the filter finds the time of the points.
 bool HasTime(vtkPolyData* part)
 {
-  vtkNew<vtkPolyData> noPoints;
-  noPoints->GetPointData()->CopyStructure(part->GetPointData());
-  const char* velocity =
-    vtkTrajectoryAttributes::GetAttributeName(vtkTrajectoryAttributes::VELOCITY);
-  vtkNew<vtkTrajectoryAttributes> filter;
-  filter->SetInputData(noPoints);
-  filter->SetAllAttributeStatuses(vtkTrajectoryAttributes::OFF);
-  filter->SetAttributeStatus(velocity, vtkTrajectoryAttributes::AUTOMATIC);
-  filter->Update();
-  return HasArray(filter->GetOutput(), velocity);
+  return CanCompute(part, vtkTrajectoryAttributes::VELOCITY, RenderOptions());
 }
 
 //------------------------------------------------------------------------------
@@ -98,6 +89,11 @@ void AddAttributes(std::vector<Drawable>& drawables, const RenderOptions& option
 std::vector<std::pair<std::string, std::string>> GetNamedArrays(const RenderOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> named;
+  if (!options.ColorBy.empty() &&
+    (options.ColorBy != ImportanceArray || options.Importance.empty()))
+  {
+    named.emplace_back("--color-by", options.ColorBy); // importance may come from it
+  }
   for (const ImportanceTerm& term : options.Importance)
   {
     named.emplace_back("--importance", term.Array);
@@ -105,11 +101,6 @@ std::vector<std::pair<std::string, std::string>> GetNamedArrays(const RenderOpti
   for (const SelectionRange& range : options.Selections)
   {
     named.emplace_back("--select", range.Array);
-  }
-  if (!options.ColorBy.empty() &&
-    (options.ColorBy != ImportanceArray || options.Importance.empty()))
-  {
-    named.emplace_back("--color-by", options.ColorBy);
   }
   return named;
 }
@@ -162,6 +153,24 @@ void CheckRoles(const std::vector<Drawable>& drawables, const RenderOptions& opt
       options);
   }
 }
+}
+
+//------------------------------------------------------------------------------
+bool CanCompute(vtkPolyData* part, int attribute, const RenderOptions& options)
+{
+  // The filter adds what it can compute, also of no points.
+  vtkNew<vtkPolyData> noPoints;
+  noPoints->GetPointData()->CopyStructure(part->GetPointData());
+  vtkNew<vtkTrajectoryAttributes> filter;
+  filter->SetInputData(noPoints);
+  filter->SetAllAttributeStatuses(vtkTrajectoryAttributes::OFF);
+  filter->SetAttributeStatus(attribute, vtkTrajectoryAttributes::AUTOMATIC);
+  if (HasPointArray(part, options.Pressure))
+  {
+    filter->SetPressureArray(options.Pressure.c_str());
+  }
+  filter->Update();
+  return HasArray(filter->GetOutput(), vtkTrajectoryAttributes::GetAttributeName(attribute));
 }
 
 //------------------------------------------------------------------------------

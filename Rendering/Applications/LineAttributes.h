@@ -20,6 +20,9 @@ namespace pellucid
  */
 void AddNamedAttributes(std::vector<Drawable>& drawables, const RenderOptions& options);
 
+/** Whether a part has the arrays that an attribute of vtkTrajectoryAttributes is computed from. */
+bool CanCompute(vtkPolyData* part, int attribute, const RenderOptions& options);
+
 /**
  * Add all attributes that can be computed. Throw RenderError where the points have no array that
  * the options name as pressure or height, or no time for the window.

@@ -12,8 +12,6 @@ namespace pellucid
 {
 namespace
 {
-constexpr double LargestInteger = std::numeric_limits<int>::max();
-
 //------------------------------------------------------------------------------
 std::string DescribeRange(const std::string& kind, double minimum, double maximum)
 {
@@ -22,7 +20,7 @@ std::string DescribeRange(const std::string& kind, double minimum, double maximu
   {
     text += " of at least " + ToText(minimum);
   }
-  if (maximum < LargestInteger)
+  if (maximum < OptionGroup::LargestInteger)
   {
     text += " and at most " + ToText(maximum);
   }
@@ -80,22 +78,15 @@ double OptionGroup::CheckNumber(
 }
 
 //------------------------------------------------------------------------------
-void OptionGroup::AddInteger(const std::string& name, int& value, int minimum,
-  const std::string& metavar, const std::string& help)
+int OptionGroup::CheckInteger(
+  const std::string& name, const std::string& text, int minimum, int maximum)
 {
-  this->Add(
-    name,
-    [&value, name, minimum](const std::string& text)
-    {
-      const auto number = ToNumber(text);
-      if (!number || *number != std::floor(*number) || *number < minimum ||
-        *number > LargestInteger)
-      {
-        Refuse(name, DescribeRange("a whole number", minimum, LargestInteger), text);
-      }
-      value = static_cast<int>(*number);
-    },
-    metavar, help);
+  const auto number = ToNumber(text);
+  if (!number || *number != std::floor(*number) || *number < minimum || *number > maximum)
+  {
+    Refuse(name, DescribeRange("a whole number", minimum, maximum), text);
+  }
+  return static_cast<int>(*number);
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,7 @@ public:
   using Parser = std::function<void(const std::string&)>;
 
   static constexpr double Unbounded = std::numeric_limits<double>::max();
+  static constexpr int LargestInteger = std::numeric_limits<int>::max();
 
   OptionGroup(CLI::App& app, std::string title);
 
@@ -50,9 +51,17 @@ public:
       metavar, help);
   }
 
-  /** At least `minimum`, at most what an int holds. */
-  void AddInteger(const std::string& name, int& value, int minimum, const std::string& metavar,
-    const std::string& help);
+  /** `value` may be optional. */
+  template <typename Value>
+  void AddInteger(const std::string& name, Value& value, int minimum, int maximum,
+    const std::string& metavar, const std::string& help)
+  {
+    this->Add(
+      name,
+      [&value, name, minimum, maximum](const std::string& text)
+      { value = CheckInteger(name, text, minimum, maximum); },
+      metavar, help);
+  }
 
   void AddVector(const std::string& name, std::optional<Vector3>& value, const std::string& help);
 
@@ -90,6 +99,8 @@ public:
 private:
   static double CheckNumber(
     const std::string& name, const std::string& text, double minimum, double maximum);
+  static int CheckInteger(
+    const std::string& name, const std::string& text, int minimum, int maximum);
 
   CLI::App& App;
   std::string Title;

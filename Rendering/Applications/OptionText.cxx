@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <map>
 
 namespace pellucid
 {
@@ -143,5 +145,27 @@ std::optional<SelectionRange> ToSelectionRange(std::string_view text)
     return std::nullopt;
   }
   return SelectionRange{ std::string(text), minimum, maximum };
+}
+
+//------------------------------------------------------------------------------
+std::optional<ViewChoice> ToView(std::string_view text)
+{
+  static const std::map<std::string_view, ViewKind> views = { { "picture", ViewKind::Picture },
+    { "opacity", ViewKind::Opacity }, { "importance", ViewKind::Importance },
+    { "segments", ViewKind::Segments }, { "length", ViewKind::Length } };
+  static const std::map<std::string_view, ViewKind> layers = { { "first", ViewKind::FirstLayers },
+    { "layer", ViewKind::Layer } };
+  if (const auto view = views.find(text); view != views.end())
+  {
+    return ViewChoice{ view->second };
+  }
+  const auto number = ToNumber(TakeLast(text).value_or(""));
+  const auto view = layers.find(text);
+  if (view == layers.end() || !number || *number != std::floor(*number) || *number < 1.0 ||
+    *number > std::numeric_limits<int>::max())
+  {
+    return std::nullopt;
+  }
+  return ViewChoice{ view->second, static_cast<int>(*number) };
 }
 }

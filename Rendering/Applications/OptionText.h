@@ -39,6 +39,9 @@ std::optional<RangeLimit> ToLimit(std::string_view text);
  */
 std::optional<ImportanceTerm> ToImportanceTerm(std::string_view text);
 
+/** "picture", "opacity", "importance", "segments", "length", "first:N" or "layer:N", N from 1. */
+std::optional<ViewChoice> ToView(std::string_view text);
+
 /** "NAME:MINIMUM:MAXIMUM", read from the right; an empty limit leaves that side open, not both. */
 std::optional<SelectionRange> ToSelectionRange(std::string_view text);
 }

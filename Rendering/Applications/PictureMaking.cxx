@@ -56,6 +56,16 @@ void AddTitle(vtkRenderer* renderer, const std::string& title, const RenderOptio
 }
 
 //------------------------------------------------------------------------------
+// Of the pass or the reference.
+template <typename Renderer>
+void SetView(Renderer* renderer, const OpacityOptions& options)
+{
+  renderer->SetView(static_cast<int>(options.Shown.Kind));
+  renderer->SetLayer(options.Shown.Layer);
+  renderer->SetGatherScale(options.GatherScale.value_or(1));
+}
+
+//------------------------------------------------------------------------------
 // One renderer, or two side by side, in one window; the exact one, if any, is the first.
 Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
 {
@@ -86,6 +96,7 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
     {
       pass = vtkTransparencyInstaller::Install(renderer);
       pass->SetMemoryLimit(options.MemoryLimit);
+      SetView(pass, options.Opacities);
     }
     window.AddRenderer(renderer);
   }
@@ -135,6 +146,7 @@ Frame MakePictureWithReference(const Scene& scene, const RenderOptions& options)
   reference->SetRenderer(renderer);
   reference->SetTransparentBackground(options.TransparentBackground);
   reference->SetSize(options.Size[0], options.Size[1]);
+  SetView(reference.Get(), options.Opacities);
   const auto start = std::chrono::steady_clock::now();
   {
     const ProgressLine progress(reference, "Drawing");

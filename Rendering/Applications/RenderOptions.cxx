@@ -4,6 +4,7 @@
 #include "RenderOptions.h"
 
 #include "FileKinds.h"
+#include "OpacityOptions.h"
 #include "OptionGroup.h"
 #include "OptionText.h"
 #include "PictureFile.h"
@@ -26,7 +27,11 @@ Examples:
   pellucid-render winds.nc --list-arrays
   pellucid-render winds.nc -o rising.png --importance TotalPressureDifference:300:800 \
     --exponent 3 --color-by pressure
-  pellucid-render winds.nc -o only.png --select TotalPressureDifference:500: --opacity 1)";
+  pellucid-render winds.nc -o only.png --select TotalPressureDifference:500: --opacity 1
+  pellucid-render winds.nc -o clear.png --optimize
+  pellucid-render combxyz.bin -o core.png --preset clear-front --importance Density:90%:10%
+  pellucid-render lines.vtp -o hint.png --avoid penalty --importance Height:50%:100%
+  pellucid-render combxyz.bin -o opacities.png --optimize --view opacity)";
 
 //------------------------------------------------------------------------------
 void AddPictureOptions(CLI::App& app, RenderOptions& options)
@@ -93,7 +98,8 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
     "Values of the first and the last colour, so that pictures compare; default: from the data, "
     "less 1 % at either end");
   group.AddNumber("--opacity", options.Opacity, 0.0, 1.0, "A",
-    "Opacity of everything, 0 to 1; default 0.3, and 1 for what --importance fades");
+    "Opacity of everything, 0 to 1, which importance only lessens; default 0.3, and 1 for what has "
+    "importance");
   group.AddNumber("--radius", options.Radius, 0.0, OptionGroup::Unbounded, "R",
     "Radius of lines and points in world units; default 0: from the data");
   group.AddChoice("--lighting", options.Lighting, { { "on", true }, { "off", false } },
@@ -123,9 +129,9 @@ void AddImportanceOptions(CLI::App& app, RenderOptions& options)
     "NAME:MINIMUM:MAXIMUM[:WEIGHT]",
     "Fade what is less important: MINIMUM of the array is importance 0, MAXIMUM 1, either a number "
     "or a percentile such as 5%; a vector counts by its length. Of several arrays the mean "
-    "weighted "
-    "by WEIGHT, -1 to 1, counts; default 1. MINIMUM above MAXIMUM makes small values important; a "
-    "negative weight takes away. The importance is a factor on the opacity");
+    "weighted by WEIGHT, -1 to 1, counts; default 1. MINIMUM above MAXIMUM makes small values "
+    "important; a negative weight takes away. The importance is a factor on the opacity; with "
+    "--optimize or --avoid it only drives these");
   group.AddNumber("--exponent", options.Exponent, 0.0, OptionGroup::Unbounded, "E",
     "Power that the importance is raised to: above 1 more fades; default 1");
   group.AddRepeatable(
@@ -163,8 +169,8 @@ void AddImportanceOptions(CLI::App& app, RenderOptions& options)
 void AddTrajectoryOptions(CLI::App& app, RenderOptions& options)
 {
   OptionGroup group(app, "Trajectories in longitude and latitude");
-  group.AddInteger(
-    "--ensemble-member", options.EnsembleMember, 0, "N", "Member to read, from 0; default 0");
+  group.AddInteger("--ensemble-member", options.EnsembleMember, 0, OptionGroup::LargestInteger, "N",
+    "Member to read, from 0; default 0");
   group.AddChoice("--vertical-axis", options.VerticalAxis,
     { { "pressure", Vertical::LogPressure }, { "height", Vertical::Height } },
     "What z is: ln(1000 hPa / pressure) (default), or the height in km");
@@ -192,12 +198,14 @@ void AddCameraOptions(CLI::App& app, RenderOptions& options)
 void AddStreamlineOptions(CLI::App& app, RenderOptions& options)
 {
   OptionGroup group(app, "Streamlines of fields");
-  group.AddInteger("--seeds", options.Seeds, 1, "N", "Seeds to place; default 1000");
+  group.AddInteger(
+    "--seeds", options.Seeds, 1, OptionGroup::LargestInteger, "N", "Seeds to place; default 1000");
   group.AddChoice("--seeding", options.SeedingMode,
     { { "volume", Seeding::Volume }, { "points", Seeding::Points }, { "grid", Seeding::Grid },
       { "line", Seeding::Line } },
     "Where: evenly in the volume (default), at points of the data, on a regular grid, on a line");
-  group.AddInteger("--seed-offset", options.SeedOffset, 0, "N", "Another set of seeds; default 0");
+  group.AddInteger("--seed-offset", options.SeedOffset, 0, OptionGroup::LargestInteger, "N",
+    "Another set of seeds; default 0");
   group.AddVector("--seed-line-first", options.SeedLineFirst, "Where the seeding line begins");
   group.AddVector("--seed-line-last", options.SeedLineLast, "Where the seeding line ends");
   group.AddText(
@@ -221,7 +229,7 @@ void AddRendererOptions(CLI::App& app, RenderOptions& options)
     .AddFlag("--compare", options.Compare,
       "Draw side by side: exact, and VTK's default or what --method names")
     ->excludes(reference);
-  group.AddInteger("--memory-limit", options.MemoryLimit, 1, "MIB",
+  group.AddInteger("--memory-limit", options.MemoryLimit, 1, OptionGroup::LargestInteger, "MIB",
     "Graphics memory for fragments; the picture is the same for any limit; default 1024");
   group.AddText("--statistics", options.StatisticsFile, "FILE",
     "Write counts, memory and times of the frame as JSON");
@@ -233,10 +241,6 @@ void CheckCombination(const RenderOptions& options)
   if (options.Output.empty() && !options.ListArrays)
   {
     throw CLI::RequiredError("--output");
-  }
-  if (options.Exponent != 1.0 && options.Importance.empty())
-  {
-    throw CLI::ValidationError("--exponent", "is the power of an importance; add --importance");
   }
   if (options.Reference && options.RenderMethod != Method::Pellucid)
   {
@@ -258,6 +262,7 @@ RenderOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& exitC
   AddPictureOptions(app, options);
   AddAppearanceOptions(app, options);
   AddImportanceOptions(app, options);
+  AddOpacityOptions(app, options.Opacities);
   AddTrajectoryOptions(app, options);
   AddCameraOptions(app, options);
   AddStreamlineOptions(app, options);
@@ -266,6 +271,7 @@ RenderOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& exitC
   {
     app.parse(argc, argv);
     CheckCombination(options);
+    CompleteOpacityOptions(options);
   }
   catch (const CLI::Success& success)
   {

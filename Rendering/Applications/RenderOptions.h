@@ -47,6 +47,60 @@ enum class Longitudes
   Cut = 1
 };
 
+/** How opacities follow from importance. */
+enum class OpacityRule
+{
+  Factor,       // the importance is a factor on them
+  Optimization, // vtkOpacityOptimization
+  Penalty,      // vtkOcclusionAvoidance, and its other mode
+  Weighting
+};
+
+/** What of the scene is shown; the values are those of vtkExactTransparencyPass. */
+enum class ViewKind
+{
+  Picture = 0,
+  Opacity = 1,
+  Importance = 2,
+  Segments = 3,
+  Length = 4,
+  FirstLayers = 5,
+  Layer = 6
+};
+
+struct ViewChoice
+{
+  ViewKind Kind = ViewKind::Picture;
+  int Layer = 1; // of the last two
+};
+
+/** Opacities that follow from importance; what has no value is as the class of the rule has it. */
+struct OpacityOptions
+{
+  OpacityRule Rule = OpacityRule::Factor;
+  std::optional<double> Emphasis;
+
+  // optimisation
+  bool Optimize = false;
+  std::string Preset; // empty: the default one
+  std::optional<double> OcclusionWeight;
+  std::optional<double> ClutterWeight;
+  std::optional<int> SmoothingIterations;
+  bool SelfOcclusion = false;
+  std::optional<int> GatherScale;
+
+  // avoidance
+  std::optional<double> Penalty;
+  std::optional<double> ImportanceWeight;
+  std::optional<double> CoverageWeight;
+  std::optional<double> VarianceWeight;
+  std::optional<double> DepthWeight;
+  std::optional<double> GlobalOpacity;
+  bool SmoothAttributes = false;
+
+  ViewChoice Shown;
+};
+
 /** A limit of the range of an array: a number, or a percentile of its values. */
 struct RangeLimit
 {
@@ -86,7 +140,7 @@ struct RenderOptions
   // appearance
   std::string ColorBy; // empty: speed of traced lines, or the active or first array
   std::optional<NumberRange> ColorRange; // none: most of the values
-  std::optional<double> Opacity;         // none: 1 where importance decides, else 0.3
+  std::optional<double> Opacity;         // none: 1 with importance, else 0.3
   double Radius = 0.0;                   // world units; 0: from the data
   bool Lighting = true;
 
@@ -104,6 +158,8 @@ struct RenderOptions
   std::string Height;      // empty: the coordinate along the axis that points up
   int UpAxis = 2;          // 0 x, 1 y, 2 z
   double TimeWindow = 0.0; // unit of the time array; 0: the whole line
+
+  OpacityOptions Opacities;
 
   // geographic trajectories
   int EnsembleMember = 0;

@@ -3,6 +3,7 @@
 
 #include "RenderScene.h"
 
+#include "OpacityOptions.h"
 #include "SceneCamera.h"
 #include "StockActors.h"
 
@@ -34,6 +35,7 @@ void AddActor(
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Scene& scene, const RenderOptions& options, Method method, double aspect)
 {
+  const auto parameters = MakeOpacityParameters(options.Opacities);
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   for (const Drawable& drawable : scene.Drawables)
   {
@@ -43,9 +45,13 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     if (method == Method::Pellucid)
     {
       scene.Colors.Apply(mapper, drawable);
-      mapper->SetOpacityArray(drawable.HasImportance ? ImportanceArray : nullptr);
+      mapper->SetOpacityArray(drawable.IsFaded ? ImportanceArray : nullptr);
       vtkNew<vtkActor> actor;
       actor->SetMapper(mapper);
+      if (drawable.HasImportance)
+      {
+        vtkImportanceDrivenOpacity::Attach(actor, parameters);
+      }
       AddActor(renderer, actor, drawable, options);
       continue;
     }

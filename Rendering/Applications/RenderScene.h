@@ -27,7 +27,7 @@ struct Scene
 /**
  * A renderer of the scene for a picture of width / height = `aspect`. With Method::Pellucid lines
  * and points are drawn by vtkTrajectoryMapper; otherwise lines are tubes of eight sides and of
- * the same radius.
+ * the same radius, and opacities follow from importance only where it is a factor.
  */
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Scene& scene, const RenderOptions& options, Method method, double aspect);

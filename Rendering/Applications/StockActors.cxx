@@ -3,7 +3,8 @@
 
 #include "StockActors.h"
 
-#include "vtkCellData.h"
+#include "CellKinds.h"
+
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -40,28 +41,6 @@ vtkSmartPointer<vtkPolyData> AddFadedColors(
 }
 
 //------------------------------------------------------------------------------
-// The part without its lines, and without their tuples of the cell data, which stand between those
-// of the vertices and those of the polygons and strips.
-vtkSmartPointer<vtkPolyData> RemoveLines(vtkPolyData* part)
-{
-  auto rest = vtkSmartPointer<vtkPolyData>::New();
-  rest->SetPoints(part->GetPoints());
-  rest->SetVerts(part->GetVerts());
-  rest->SetPolys(part->GetPolys());
-  rest->SetStrips(part->GetStrips());
-  rest->GetPointData()->ShallowCopy(part->GetPointData());
-  const vtkIdType first = part->GetNumberOfVerts();
-  const vtkIdType lines = part->GetNumberOfLines();
-  const vtkIdType last = part->GetNumberOfCells() - first - lines;
-  vtkCellData* cells = rest->GetCellData();
-  cells->CopyAllOn();
-  cells->CopyAllocate(part->GetCellData(), first + last);
-  cells->CopyData(part->GetCellData(), 0, first, 0);
-  cells->CopyData(part->GetCellData(), first, last, first + lines);
-  return rest;
-}
-
-//------------------------------------------------------------------------------
 void ApplyFadedColors(vtkMapper* mapper)
 {
   mapper->SetScalarModeToUsePointFieldData();
@@ -75,7 +54,7 @@ std::vector<vtkSmartPointer<vtkActor>> MakeStockActors(
   vtkPolyData* part, double radius, const Drawable& drawable, const Coloring& colors)
 {
   vtkSmartPointer<vtkPolyData> colored = part;
-  if (drawable.HasImportance)
+  if (drawable.IsFaded)
   {
     colored = AddFadedColors(part, drawable, colors);
   }
@@ -85,14 +64,14 @@ std::vector<vtkSmartPointer<vtkActor>> MakeStockActors(
   tubes->SetNumberOfSides(TubeSides);
   tubes->CappingOn();
   tubes->Update();
-  const auto others = RemoveLines(colored);
+  const auto others = KeepCells(colored, Vertices | Surfaces);
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
   for (vtkPolyData* geometry : { tubes->GetOutput(), others.Get() })
   {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(geometry);
-    if (drawable.HasImportance)
+    if (drawable.IsFaded)
     {
       ApplyFadedColors(mapper);
     }

@@ -20,8 +20,8 @@ namespace pellucid
 {
 /**
  * Actors of one part of a drawable: its lines as tubes of eight sides without inner walls, so that
- * the layers are those of a vtkTrajectoryMapper, and everything else as it is. Where the drawable
- * has importance, the colours of its points get it as their opacity, rounded to 1/255.
+ * the layers are those of a vtkTrajectoryMapper, and everything else as it is. Where importance
+ * fades the drawable, the colours of its points get it as their opacity, rounded to 1/255.
  */
 std::vector<vtkSmartPointer<vtkActor>> MakeStockActors(
   vtkPolyData* part, double radius, const Drawable& drawable, const Coloring& colors);

@@ -17,6 +17,7 @@
 #include "PlainText.h"
 #include "RenderError.h"
 #include "SceneImportance.h"
+#include "SceneSegments.h"
 
 #include <exception>
 #include <iostream>
@@ -25,7 +26,7 @@
 namespace
 {
 //------------------------------------------------------------------------------
-void Run(const pellucid::RenderOptions& options)
+void Run(pellucid::RenderOptions options)
 {
   using namespace pellucid;
   if (options.ListArrays)
@@ -42,6 +43,7 @@ void Run(const pellucid::RenderOptions& options)
   }
   SceneStatistics statistics;
   auto drawables = MakeDrawables(ReadInputs(options), options);
+  ChooseImportance(drawables, options);
   AddNamedAttributes(drawables, options);
   for (const Drawable& drawable : drawables)
   {
@@ -55,6 +57,10 @@ void Run(const pellucid::RenderOptions& options)
   }
   statistics.ImportanceHistogram = AddImportance(drawables, options);
   const Coloring colors(drawables, options);
+  if (options.Opacities.Rule == OpacityRule::Optimization)
+  {
+    AddSegments(drawables);
+  }
   const Scene scene{ std::move(drawables), colors };
   const Frame frame = MakePicture(scene, options);
   WritePicture(frame.Picture, options.Output);

@@ -33,6 +33,7 @@ KEYS = [
     "selected_lines",
     "importance_histogram",
     "fragments",
+    "solved_fragments",
     "longest_list",
     "buffer_bytes",
     "tiles",

@@ -1,0 +1,252 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""pellucid.optimize and pellucid.avoid attach parameters, pellucid.restore ends them."""
+
+import gc
+import unittest
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkDataSetMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+import pellucid
+from pictures import picture
+
+PRESETS = ["balanced", "clear-front", "focus", "clear-back", "points"]
+
+
+def with_array(data, name, values):
+    array = numpy_to_vtk(numpy.asarray(values, numpy.float32), deep=True)
+    array.SetName(name)
+    data.GetPointData().AddArray(array)
+    return data
+
+
+def make_lines(importance="Importance"):
+    """A line of importance 0 in front of one of importance 1."""
+    append = vtkAppendPolyData()
+    for first, last in (((-1, 0, 0.2), (1, 0, 0.2)), ((0, -1, -0.2), (0, 1, -0.2))):
+        line = vtkLineSource()
+        line.SetPoint1(first)
+        line.SetPoint2(last)
+        append.AddInputConnection(line.GetOutputPort())
+    append.Update()
+    return with_array(append.GetOutput(), importance, (0, 0, 1, 1))
+
+
+def make_actor(data, mapper=None):
+    mapper = mapper or pellucid.vtkTrajectoryMapper()
+    if isinstance(mapper, pellucid.vtkTrajectoryMapper):
+        mapper.SetRadius(0.1)
+    mapper.ScalarVisibilityOff()
+    mapper.SetInputDataObject(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def make_sphere():
+    source = vtkSphereSource()
+    source.Update()
+    sphere = source.GetOutput()
+    return with_array(sphere, "Importance", numpy.linspace(0, 1, sphere.GetNumberOfPoints()))
+
+
+class TestOptimize(unittest.TestCase):
+    def setUp(self):
+        self.actor = make_actor(make_lines())
+
+    def test_presets(self):
+        self.assertEqual(pellucid.presets(), PRESETS)
+        for name in PRESETS:
+            expected = pellucid.vtkOpacityOptimization()
+            expected.UsePreset(name)
+            found = pellucid.optimize(self.actor, name)
+            for member in ("OcclusionWeight", "ClutterWeight", "Emphasis", "SmoothingIterations"):
+                self.assertEqual(getattr(found, "Get" + member)(), getattr(expected, "Get" + member)())
+
+    def test_parameters(self):
+        found = pellucid.optimize(
+            self.actor, "focus", occlusion_weight=7, clutter_weight=8.5, emphasis=2,
+            smoothing_iterations=9, self_occlusion=True)
+        self.assertIs(pellucid.vtkImportanceDrivenOpacity.Get(self.actor), found)
+        self.assertEqual(
+            (found.GetOcclusionWeight(), found.GetClutterWeight(), found.GetEmphasis(),
+             found.GetSmoothingIterations(), found.GetSelfOcclusion(), found.GetImportanceArray()),
+            (7, 8.5, 2, 9, True, "Importance"))
+        actor = make_actor(make_lines("relevance"))
+        self.assertEqual(
+            pellucid.optimize(actor, importance="relevance").GetImportanceArray(), "relevance")
+
+    def test_front_fades_and_comes_back(self):
+        self.actor.GetProperty().SetColor(1, 0, 0)
+        renderer = vtkRenderer()
+        renderer.AddActor(self.actor)
+        renderer.GetActiveCamera().SetPosition(0, 0, 4)
+        window = vtkRenderWindow()
+        window.OffScreenRenderingOn()
+        window.SetMultiSamples(0)
+        window.SetSize(64, 48)
+        window.AddRenderer(renderer)
+        transparency = pellucid.install(renderer)
+        window.Render()
+        before = picture(window)
+        pellucid.optimize(self.actor, occlusion_weight=1, clutter_weight=0, smoothing_iterations=0)
+        window.Render()
+        self.assertGreater(transparency.GetStatistics().GetSolvedFragments(), 0)
+        opacities = vtk_to_numpy(transparency.GetOptimizedOpacities(self.actor))
+        seen = opacities[opacities >= 0]
+        self.assertAlmostEqual(seen.min(), 0.5, places=5)
+        self.assertAlmostEqual(seen.max(), 1, places=5)
+        pellucid.restore(self.actor)
+        window.Render()
+        self.assertTrue(numpy.array_equal(picture(window), before))
+        self.assertEqual(transparency.GetStatistics().GetSolvedFragments(), 0)
+
+    def test_segments_are_put_in_once_and_taken_out(self):
+        for actor, filter_class in (
+            (self.actor, pellucid.vtkTrajectorySegments),
+            (make_actor(make_sphere(), vtkPolyDataMapper()), pellucid.vtkSurfaceSegments),
+            (make_actor(make_sphere()), pellucid.vtkSurfaceSegments),
+        ):
+            mapper = actor.GetMapper()
+            before = mapper.GetInputAlgorithm()
+            for _ in range(2):
+                pellucid.optimize(actor)
+                gc.collect()
+                self.assertIsInstance(mapper.GetInputAlgorithm(), filter_class)
+                self.assertIs(mapper.GetInputAlgorithm().GetInputAlgorithm(), before)
+            pellucid.avoid(actor)
+            pellucid.restore(actor)
+            self.assertIs(mapper.GetInputAlgorithm(), before)
+            self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
+            pellucid.restore(actor)
+            self.assertIs(mapper.GetInputAlgorithm(), before)
+
+    def test_pipeline_stays_live(self):
+        move = vtkTransformPolyDataFilter()
+        move.SetInputData(make_lines())
+        move.SetTransform(vtkTransform())
+        mapper = self.actor.GetMapper()
+        mapper.SetInputConnection(move.GetOutputPort())
+        pellucid.optimize(self.actor)
+        move.GetTransform().Translate(5, 0, 0)
+        mapper.Update()
+        self.assertAlmostEqual(mapper.GetInput().GetBounds()[0], 4, places=6)
+        self.assertTrue(mapper.GetInput().GetPointData().HasArray("SegmentBase"))
+
+    def test_own_segments_are_kept(self):
+        segments = pellucid.vtkTrajectorySegments()
+        segments.SetInputData(make_lines())
+        self.actor.GetMapper().SetInputConnection(segments.GetOutputPort())
+        pellucid.optimize(self.actor)
+        self.assertIs(self.actor.GetMapper().GetInputAlgorithm(), segments)
+        pellucid.restore(self.actor)
+        self.assertIs(self.actor.GetMapper().GetInputAlgorithm(), segments)
+
+    def test_composite_data(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_lines())
+        blocks.SetBlock(2, make_lines())
+        actor = make_actor(blocks)
+        pellucid.optimize(actor)
+        actor.GetMapper().Update()
+        output = actor.GetMapper().GetInputDataObject(0, 0)
+        self.assertTrue(output.GetBlock(2).GetPointData().HasArray("SegmentBase"))
+
+    def test_data_may_come_later(self):
+        actor = make_actor(vtkPolyData())
+        self.assertIsNotNone(pellucid.optimize(actor))
+
+
+class TestAvoid(unittest.TestCase):
+    def test_parameters(self):
+        actor = make_actor(make_lines())
+        found = pellucid.avoid(
+            actor, "weighting", penalty=0.5, importance_weight=2, coverage_weight=3,
+            directional_variance_weight=4, depth_weight=5, emphasis=6, global_opacity=0.25,
+            smooth_attributes=True)
+        self.assertIs(pellucid.vtkImportanceDrivenOpacity.Get(actor), found)
+        self.assertEqual(
+            (found.GetMode(), found.GetPenalty(), found.GetImportanceWeight(),
+             found.GetCoverageWeight(), found.GetDirectionalVarianceWeight(), found.GetDepthWeight(),
+             found.GetEmphasis(), found.GetGlobalOpacity(), found.GetSmoothAttributes()),
+            (found.WEIGHTING, 0.5, 2, 3, 4, 5, 6, 0.25, True))
+        self.assertEqual(pellucid.avoid(actor).GetMode(), found.PENALTY)
+
+
+class TestErrors(unittest.TestCase):
+    def test_unknown_parameters(self):
+        actor = make_actor(make_lines())
+        for function, names in (
+            (pellucid.optimize, "occlusion_weight, clutter_weight, emphasis, smoothing_iterations, "
+             "self_occlusion"),
+            (pellucid.avoid, "penalty, importance_weight, coverage_weight, "
+             "directional_variance_weight, depth_weight, emphasis, global_opacity, "
+             "smooth_attributes"),
+        ):
+            with self.assertRaisesRegex(TypeError, f"unknown parameter 'q'; there are {names}$"):
+                function(actor, q=1)
+
+    def test_values_out_of_range(self):
+        actor = make_actor(make_lines())
+        with self.assertRaisesRegex(ValueError, "emphasis: expected 0.01 to 100.0, found 0"):
+            pellucid.optimize(actor, emphasis=0)
+        with self.assertRaisesRegex(ValueError, "penalty: expected 0.0 to 1.0, found 2"):
+            pellucid.avoid(actor, penalty=2)
+        with self.assertRaisesRegex(ValueError, "occlusion_weight: expected 0.0 to .*, found nan"):
+            pellucid.optimize(actor, occlusion_weight=float("nan"))
+
+    def test_unknown_names(self):
+        actor = make_actor(make_lines())
+        with self.assertRaisesRegex(ValueError, f"expected one of {', '.join(PRESETS)}; found 'x'"):
+            pellucid.optimize(actor, "x")
+        with self.assertRaisesRegex(ValueError, "expected one of penalty, weighting; found 'x'"):
+            pellucid.avoid(actor, "x")
+        for function in (pellucid.optimize, pellucid.avoid):
+            with self.assertRaisesRegex(
+                    ValueError, "there is no point array 'x'; there are Importance"):
+                function(actor, importance="x")
+        self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
+
+    def test_wrong_actors(self):
+        for function in (pellucid.optimize, pellucid.avoid, pellucid.restore):
+            for wrong in (None, vtkRenderer(), "actor"):
+                with self.assertRaisesRegex(TypeError, "expected a vtkActor, found"):
+                    function(wrong)
+        without_input = vtkActor()
+        without_input.SetMapper(vtkPolyDataMapper())
+        for actor in (vtkActor(), without_input):
+            for function in (pellucid.optimize, pellucid.avoid):
+                with self.assertRaisesRegex(ValueError, "no mapper with an input"):
+                    function(actor)
+            pellucid.restore(actor)
+
+    def test_anything_but_poly_data_is_refused(self):
+        actor = make_actor(vtkUnstructuredGrid(), vtkDataSetMapper())
+        with self.assertRaisesRegex(TypeError, "expected a vtkPolyData, found vtkUnstructuredGrid"):
+            pellucid.optimize(actor)
+
+    def test_lines_and_surfaces_in_one(self):
+        mixed = make_lines()
+        mixed.SetPolys(mixed.GetLines())
+        actor = make_actor(mixed)
+        with self.assertRaisesRegex(ValueError, "both lines or points and surfaces"):
+            pellucid.optimize(actor)
+        self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
+
+
+if __name__ == "__main__":
+    unittest.main()
