@@ -20,9 +20,10 @@ Which parameters correspond. Per pixel, q and r weigh single fragments; globally
 numbers of pixels, so that one value means something else for each picture. Here both are
 multiplied by one factor for each view, such that the opacities that both methods give to the visible
 segments have the same mean; the figures hold it, times the square of the mean number of pixels of a
-segment. It is found by bisection, and each of its steps is one timed solve. n smoothing steps, each half of the way to the
-neighbours, spread an opacity with the variance n/2 in squared segments, and the smoothness s with 2 s
-where nothing else acts: s = n/4. The importance of a segment is that at its middle.
+segment. It is found by bisection, and each of its steps is one timed solve. n smoothing steps, each
+half of the way to the neighbours, spread an opacity with the variance n/2 in squared segments, and the
+smoothness s with 2 s where nothing else acts: s = n/4. The importance of a segment is that at its
+middle.
 
     python3 compare_global.py --pictures folder --json figures.json
     python3 compare_global.py --input combxyz.bin combq.bin --importance speed --preset clear-front
