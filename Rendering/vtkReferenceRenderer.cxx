@@ -7,6 +7,7 @@
 #include "Private/vtkReferenceScene.h"
 #include "Private/vtkReferenceSweep.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkImageData.h"
@@ -252,6 +253,32 @@ void vtkReferenceRenderer::GetPixelFragments(int x, int y, vtkTable* fragments)
     for (int i = 0; i < 4; ++i)
     {
       columns[i + 1]->InsertNextValue(fragment.color[i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReferenceRenderer::GetPixelSegments(vtkCellArray* lists)
+{
+  lists->Initialize();
+  const auto* caster = this->Internals->Caster.get();
+  Pixels pixels;
+  for (int tile = 0; caster && tile < caster->GetNumberOfTiles(); ++tile)
+  {
+    caster->Cast(tile, caster->GetTile(tile), pixels);
+    for (const auto& pixel : pixels)
+    {
+      lists->InsertNextCell(0);
+      int count = 0;
+      for (const auto& fragment : pixel.GetTranslucent())
+      {
+        if (fragment.place.nearest.parameters)
+        {
+          lists->InsertCellPoint(static_cast<vtkIdType>(fragment.place.nearest.segment) - 1);
+          ++count;
+        }
+      }
+      lists->UpdateCellCount(count);
     }
   }
 }

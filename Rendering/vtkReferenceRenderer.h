@@ -52,6 +52,7 @@
 #include <string> // for the omissions
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkCellArray;
 class vtkImageData;
 class vtkRenderer;
 class vtkTable;
@@ -127,6 +128,14 @@ public:
    * Red, Green, Blue, Alpha (straight, in [0,1], before importance changes it). Empty where nothing
    * is, and outside the image. */
   void GetPixelFragments(int x, int y, vtkTable* fragments);
+
+  /**
+   * The segments whose opacities are optimised (vtkOpacityOptimization), of the fragments of each
+   * pixel, front to back: one cell for each pixel, in no order of theirs, as vtkGlobalOpacitySolver
+   * takes them. Segments are counted from 0 through all actors that take part, in the order in
+   * which the renderer holds these; those of one actor alone are as its data numbers them.
+   */
+  void GetPixelSegments(vtkCellArray* lists);
 
   /** What the scene holds that was not drawn, each kind with its number, or an empty string. */
   std::string GetOmissions();
