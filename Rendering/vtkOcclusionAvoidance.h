@@ -16,9 +16,10 @@
  *
  * The opacity of each fragment of importance g is multiplied by the global opacity, and by
  *
- * - mode Penalty: the penalty, where the fragment is in front of D;
- * - mode Weighting: 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front of D])), equations 3.2
- *   and 3.3 there.
+ * - mode Penalty: the penalty, where the fragment is in front: nearer than D, and less important
+ *   than M;
+ * - mode Weighting: 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), equations 3.2 and 3.3
+ *   there.
  *
  * @sa vtkImportanceDrivenOpacity vtkOpacityOptimization vtkExactTransparencyPass
  */
@@ -102,8 +103,8 @@ public:
   ///@{
   /**
    * Whether M and D are means over the 5 x 5 pixels around that have a fragment, which softens the
-   * borders of what is faded (section 3.2.1 there); D is then a distance along the view direction,
-   * and what is of that importance itself is not in front. Costs one more stage. Off by default.
+   * borders of what is faded (section 3.2.1 there); D is then a distance along the view direction.
+   * Costs one more stage. Off by default.
    */
   vtkSetMacro(SmoothAttributes, bool);
   vtkGetMacro(SmoothAttributes, bool);

@@ -262,7 +262,7 @@ void vtkReferenceRenderer::GetPixelSegments(vtkCellArray* lists)
 {
   lists->Initialize();
   const auto* caster = this->Internals->Caster.get();
-  Pixels pixels;
+  std::vector<Pixel> pixels;
   for (int tile = 0; caster && tile < caster->GetNumberOfTiles(); ++tile)
   {
     caster->Cast(tile, caster->GetTile(tile), pixels);

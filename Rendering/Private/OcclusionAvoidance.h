@@ -43,12 +43,6 @@ struct PixelAttributes
   /** V = 1 - |sum of the tangents| / their number, in [0,1]: 0 where all are parallel, and where
    * there is none. */
   Real directionalVariance = 0;
-
-  ///@{
-  /** Importance and depth of the pixel itself, where those above are smoothed. */
-  Real ownImportance = 0;
-  Real ownDepth = 0;
-  ///@}
 };
 
 /** The attributes of a pixel with these fragments, in any order. */
@@ -74,8 +68,6 @@ PixelAttributes<Real> ComputePixelAttributes(const std::vector<AttributeFragment
       directions += 1;
     }
   }
-  pixel.ownImportance = pixel.importance;
-  pixel.ownDepth = pixel.depth;
   if (directions > 0)
   {
     pixel.directionalVariance = std::max(Real(0), 1 - glm::length(sum) / directions);
@@ -165,14 +157,18 @@ struct OcclusionAvoidance
   /** Whether the attributes are those that SmoothPixelAttributes() gives. */
   bool smoothAttributes = false;
 
+  /** What is less important than M by no more than this does not hide it: between equals, rounding
+   * would decide. */
+  static constexpr Real importanceTolerance = Real(1e-5);
+
   /** The factor in [0,1] on the opacity of a fragment. A weighted one is (eqs. 3.2 and 3.3)
-   * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [depth < D])). Of smoothed attributes, D is behind
-   * some of what is most important, the nearest part of a ball for example: this does not count as
-   * in front of itself. */
+   * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), and in front is what is nearer than
+   * D and less important than M. The source asks for the first only, which is the same for sharp
+   * attributes; but a smoothed D lies behind the nearest part of what is important itself. */
   Real Factor(Real depth, Real importance, const PixelAttributes<Real>& pixel) const
   {
-    const bool isImportant = pixel.ownImportance >= pixel.importance && depth >= pixel.ownDepth;
-    const bool inFront = depth < pixel.depth && !isImportant;
+    const Real own = ClampImportance(importance);
+    const bool inFront = depth < pixel.depth && own + importanceTolerance < pixel.importance;
     if (this->mode == PENALTY)
     {
       return this->globalOpacity * (inFront ? this->penalty : Real(1));
@@ -180,7 +176,7 @@ struct OcclusionAvoidance
     const Real occlusion = this->importanceWeight * pixel.importance +
       this->coverageWeight * pixel.coverage + this->varianceWeight * pixel.directionalVariance +
       (inFront ? this->depthWeight : Real(0));
-    const Real unimportance = 1 - std::pow(ClampImportance(importance), this->lambda);
+    const Real unimportance = 1 - std::pow(own, this->lambda);
     return this->globalOpacity / (1 + unimportance * occlusion);
   }
 };

@@ -57,24 +57,24 @@ void main()
     }
     PellucidActor actor = pellucidActors[pellucidSegments[fragment.y & ~PELLUCID_AVOIDING].y];
     float depth = uintBitsToFloat(pellucidLinks[node].y);
+    float own = uintBitsToFloat(fragment.x);
     float importance = attributes.importance;
-    bool inFront = depth < attributes.depth;
+    bool nearer = depth < attributes.depth;
 #if PELLUCID_SMOOTH_ATTRIBUTES
     if ((actor.avoids & PELLUCID_SMOOTHS_ATTRIBUTES) != 0u)
     {
       importance = smoothed.x;
-      // What is important itself does not hide itself.
-      bool isImportant = attributes.importance >= importance && depth >= attributes.depth;
-      inFront = !isImportant && pellucidDistance(depth) < smoothed.y;
+      nearer = pellucidDistance(depth) < smoothed.y;
     }
 #endif
+    bool inFront = nearer && own + PELLUCID_IMPORTANCE_TOLERANCE < importance;
     float factor = inFront ? actor.penalty : 1.0;
     if ((actor.avoids & PELLUCID_AVOIDS_BY_WEIGHTING) != 0u)
     {
       float occlusion = actor.importanceWeight * importance +
         actor.coverageWeight * attributes.coverage + actor.varianceWeight * attributes.variance +
         (inFront ? actor.depthWeight : 0.0);
-      float unimportance = 1.0 - pellucidPower(uintBitsToFloat(fragment.x), actor.lambda);
+      float unimportance = 1.0 - pellucidPower(own, actor.lambda);
       factor = unimportance > 0.0 ? 1.0 / (1.0 + unimportance * occlusion) : 1.0;
     }
     pellucidPositions[node].y =

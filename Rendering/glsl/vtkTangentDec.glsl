@@ -15,13 +15,13 @@ uint pellucidPackTangent(vec3 tangent)
   return parts.x | (parts.y << 16);
 }
 
-vec3 pellucidUnpackTangent(uint packed)
+vec3 pellucidUnpackTangent(uint bits)
 {
-  if (packed == 0u)
+  if (bits == 0u)
   {
     return vec3(0.0);
   }
-  vec2 xy = (vec2(packed & 65535u, packed >> 16) - 32768.0) / 32767.0;
+  vec2 xy = (vec2(bits & 65535u, bits >> 16) - 32768.0) / 32767.0;
   float z = 1.0 - abs(xy.x) - abs(xy.y);
   return normalize(vec3(z < 0.0 ? pellucidFold(xy) : xy, z));
 }

@@ -219,15 +219,16 @@ void TestWeighting(Checks& checks)
   avoidance->SetEmphasis(2);
   Scene scene(3, 3);
   scene.AddTube({ { -4, 0, 4 }, { 4, 0, 4 } }, 0.5, avoidance);
-  scene.AddTube({ { 0, -4, 2 }, { 0, 4, 2 } }, 0.25, nullptr);
+  scene.AddTube({ { 0, -4, 2 }, { 0, 4, 2 } }, 0.25, avoidance);
   scene.AddTube({ { 0, 0, 0 } }, 0.75, avoidance);
   scene.AddSquare(-2, 1, nullptr);
   scene.AddSquare(-4, 0, nullptr, Extent(), 1.0)->GetProperty()->SetColor(0, 0, 0);
   scene.AddSquare(-5, 1, avoidance);
   const double occlusion = 0.75 + 0.02 * 4 + 0.5 * (1 - std::sqrt(2.0) / 2);
   const double line = 1 / (1 + 0.75 * (occlusion + 10));
+  const double crossing = 1 / (1 + (1 - 0.25 * 0.25) * (occlusion + 10));
   const double ball = 1 / (1 + (1 - 0.75 * 0.75) * occlusion);
-  CheckFactors(checks, "weighting", scene, 1, 1, { line, 1, ball, 1 });
+  CheckFactors(checks, "weighting", scene, 1, 1, { line, crossing, ball, 1 });
 
   // The optimised squares weigh in their own sums only, but make another depth the most important.
   vtkNew<vtkOpacityOptimization> optimization;
@@ -236,8 +237,8 @@ void TestWeighting(Checks& checks)
   scene.AddSquare(-1, 1, optimization);
   const double denser = occlusion + 0.25 + 0.02 * 2 + 10;
   CheckFactors(checks, "mixed", scene, 1, 1,
-    { 1 / (1 + 0.25 * 50), 1 / (1 + 0.75 * denser), 1, 1 / (1 + (1 - 0.75 * 0.75) * denser), 1,
-      1 });
+    { 1 / (1 + 0.25 * 50), 1 / (1 + 0.75 * denser), 1 / (1 + (1 - 0.25 * 0.25) * denser),
+      1 / (1 + (1 - 0.75 * 0.75) * denser), 1, 1 });
 }
 
 /** The important square is seen in the three left pixels of nine. */
