@@ -60,9 +60,8 @@
 #include "vtkSmartPointer.h"            // for GetOptimizedOpacities
 #include "vtkTransparencyStatistics.h"  // for GetStatistics
 
-#include <functional> // for the work on a tile
-#include <memory>     // for std::unique_ptr
-#include <string>     // for the reason
+#include <memory> // for std::unique_ptr
+#include <string> // for the reason
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -210,22 +209,13 @@ private:
   void RenderGeometry(const vtkRenderState* state);
   void RenderTranslucentGeometry(const vtkRenderState* state);
   void PrepareImportance(const vtkRenderState* state);
-  void ForgetWhatChanged(const vtkRenderState* state, const vtkPixelRectangle& image);
-  void OptimizeOpacities(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void BeginSweeps(const vtkRenderState* state, const vtkPixelRectangle& picture);
+  void OptimizeOpacities();
   void FadeOpacities();
-  void PrepareAvoidance(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void PrepareAvoidance(vtkRenderer* renderer, const vtkPixelRectangle& picture);
   void FindAttributes();
   void Avoid();
   void CollapseLongLists(const vtkPictureView& view);
-  void ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image, int scale,
-    const std::function<void()>& work);
-  bool GatherTile(const vtkRenderState* state);
-  void DivideForMemory(vtkIdType nodes);
-  void GiveUp(vtkIdType nodes);
-  void WarnOfMemory(vtkIdType fragments);
-  void DrawOffScreen(const std::function<void()>& draw);
-  vtkIdType Gather(const vtkRenderState* state);
-  void Sort();
   void Solve();
   void SmoothOpacities();
   void Resolve();
