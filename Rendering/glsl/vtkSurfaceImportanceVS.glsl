@@ -14,7 +14,8 @@ flat out int pellucidVertexVSOutput;
 void pellucidPassImportance()
 {
   int corner = gl_VertexID % 3;
-  pellucidImportanceVSOutput = pellucidImportanceMC;
+  // Also of NaN, which would spread over the triangle, a number
+  pellucidImportanceVSOutput = pellucidImportanceMC > 0.0 ? min(pellucidImportanceMC, 1.0) : 0.0;
   pellucidSharesVSOutput = vec2(corner == 1, corner == 2);
   pellucidVertexVSOutput = gl_VertexID;
 }
