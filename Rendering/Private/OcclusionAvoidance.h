@@ -14,6 +14,7 @@
 #include "Importance.h"
 #include "RayIntersection.h"
 
+#include <limits>
 #include <vector>
 
 namespace pellucid
@@ -29,6 +30,10 @@ struct AttributeFragment
   /** Unit vector along a line; zero for what has no direction. */
   Vector3<Real> tangent{ Real(0) };
 };
+
+/** Importances that differ by no more than this are the same: between equals, rounding would decide
+ * what hides what. */
+constexpr double ImportanceTolerance = 1e-5;
 
 /** What a pixel holds; all 0 where it holds nothing. */
 template <typename Real>
@@ -55,17 +60,20 @@ PixelAttributes<Real> ComputePixelAttributes(const std::vector<AttributeFragment
   for (const auto& fragment : fragments)
   {
     const Real importance = ClampImportance(fragment.importance);
-    if (pixel.coverage == 0 || importance > pixel.importance ||
-      (importance == pixel.importance && fragment.depth < pixel.depth))
-    {
-      pixel.importance = importance;
-      pixel.depth = fragment.depth;
-    }
+    pixel.importance = std::max(pixel.importance, importance);
     pixel.coverage += 1;
     if (glm::dot(fragment.tangent, fragment.tangent) > 0)
     {
       sum += fragment.tangent;
       directions += 1;
+    }
+  }
+  pixel.depth = fragments.empty() ? Real(0) : std::numeric_limits<Real>::infinity();
+  for (const auto& fragment : fragments)
+  {
+    if (ClampImportance(fragment.importance) + Real(ImportanceTolerance) >= pixel.importance)
+    {
+      pixel.depth = std::min(pixel.depth, fragment.depth);
     }
   }
   if (directions > 0)
@@ -157,10 +165,6 @@ struct OcclusionAvoidance
   /** Whether the attributes are those that SmoothPixelAttributes() gives. */
   bool smoothAttributes = false;
 
-  /** What is less important than M by no more than this does not hide it: between equals, rounding
-   * would decide. */
-  static constexpr Real importanceTolerance = Real(1e-5);
-
   /** The factor in [0,1] on the opacity of a fragment. A weighted one is (eqs. 3.2 and 3.3)
    * 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), and in front is what is nearer than
    * D and less important than M. The source asks for the first only, which is the same for sharp
@@ -168,7 +172,7 @@ struct OcclusionAvoidance
   Real Factor(Real depth, Real importance, const PixelAttributes<Real>& pixel) const
   {
     const Real own = ClampImportance(importance);
-    const bool inFront = depth < pixel.depth && own + importanceTolerance < pixel.importance;
+    const bool inFront = depth < pixel.depth && own + Real(ImportanceTolerance) < pixel.importance;
     if (this->mode == PENALTY)
     {
       return this->globalOpacity * (inFront ? this->penalty : Real(1));

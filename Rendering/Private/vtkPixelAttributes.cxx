@@ -35,8 +35,7 @@ std::string vtkPixelAttributes::GetShaderDefinitions(bool smooths)
   { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
   define("ATTRIBUTES_BINDING", std::to_string(AttributesBinding));
   define("SMOOTH_ATTRIBUTES", smooths ? "1" : "0");
-  define("IMPORTANCE_TOLERANCE",
-    std::to_string(pellucid::OcclusionAvoidance<double>::importanceTolerance));
+  define("IMPORTANCE_TOLERANCE", std::to_string(pellucid::ImportanceTolerance));
   define("AVOIDS_BY_WEIGHTING", std::to_string(vtkOptimizedScene::AvoidsByWeighting) + "u");
   define("SMOOTHS_ATTRIBUTES", std::to_string(vtkOptimizedScene::SmoothsAttributes) + "u");
   return definitions.str();

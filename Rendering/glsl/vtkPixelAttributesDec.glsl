@@ -34,21 +34,17 @@ struct PixelAttributes
 };
 
 // False for lists that are left to the CPU
-bool findAttributes(uint node, out PixelAttributes pixel)
+bool findAttributes(uint first, out PixelAttributes pixel)
 {
   pixel = PixelAttributes(0.0, 0.0, 0.0, 0.0, false);
   vec3 sum = vec3(0.0);
   float directions = 0.0;
   uint length = 0u;
+  uint node = first;
   for (; node != 0u && length < uint(PELLUCID_LONGEST_SORTED_LIST); ++length)
   {
     uvec2 fragment = pellucidImportances[node];
-    float importance = uintBitsToFloat(fragment.x);
-    if (length == 0u || importance > pixel.importance)
-    {
-      pixel.importance = importance;
-      pixel.depth = uintBitsToFloat(pellucidLinks[node].y);
-    }
+    pixel.importance = max(pixel.importance, uintBitsToFloat(fragment.x));
     if ((fragment.y & PELLUCID_AVOIDING) != 0u)
     {
       pixel.avoids = true;
@@ -58,6 +54,13 @@ bool findAttributes(uint node, out PixelAttributes pixel)
     }
     node = pellucidLinks[node].x;
   }
+  uint most = first;
+  while (most != 0u &&
+    uintBitsToFloat(pellucidImportances[most].x) + PELLUCID_IMPORTANCE_TOLERANCE < pixel.importance)
+  {
+    most = pellucidLinks[most].x;
+  }
+  pixel.depth = most != 0u ? uintBitsToFloat(pellucidLinks[most].y) : 0.0;
   pixel.coverage = float(length);
   pixel.variance = directions > 0.0 ? max(0.0, 1.0 - sqrt(dot(sum, sum)) / directions) : 0.0;
   return node == 0u;

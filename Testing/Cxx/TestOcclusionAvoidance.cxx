@@ -58,8 +58,10 @@ void TestAttributes(Checks& checks)
 
   // Depths that differ by less than 16 bits can tell.
   const auto close =
-    pellucid::ComputePixelAttributes<double>({ { 1 + 1e-9, 1, X }, { 1, 1 - 1e-9, X } });
+    pellucid::ComputePixelAttributes<double>({ { 1 + 1e-9, 1, X }, { 1, 1 - 1e-4, X } });
   checks.True("no precision is lost", close.depth == 1 + 1e-9);
+  const auto equal = pellucid::ComputePixelAttributes<double>({ { 2, 1, X }, { 1, 1 - 1e-7, X } });
+  checks.True("rounding does not decide", equal.depth == 1 && equal.importance == 1);
 }
 
 void TestVariance(Checks& checks)
