@@ -443,7 +443,9 @@ void vtkExactTransparencyPass::FadeOpacities()
   const double now = this->FrameTime < 0.0 ? vtkTimerLog::GetUniversalTime() : this->FrameTime;
   const double seconds = std::max(now - internal.FrameTime, 0.0);
   internal.FrameTime = now;
-  if (internal.Fading)
+  // Time goes back where a film begins again.
+  internal.SolutionTime = std::min(internal.SolutionTime, now);
+  if (internal.Fading && gpu.Opacities.HasSolved())
   {
     const bool arrives = now - internal.SolutionTime >= FadeTimesToTheEnd * this->FadeTime;
     const double share = arrives ? 1.0 : 1.0 - std::exp(-seconds / this->FadeTime);

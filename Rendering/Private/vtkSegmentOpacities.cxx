@@ -190,6 +190,7 @@ bool vtkSegmentOpacities::StartFading()
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handles[Faded]);
   if (this->HasSolution)
   {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
       static_cast<GLsizeiptr>(this->Bytes[Source]));
   }
