@@ -304,7 +304,9 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
   {
     gpu.Sweep.Run(1, [] {});
   }
-  gpu.Sweep.Run(1, [this] { this->Resolve(); });
+  // Of all tiles: the next sweep counts anew.
+  const vtkIdType longestList = gpu.Sweep.GetLongestList();
+  gpu.Sweep.Run(1, [this, longestList] { this->Resolve(longestList); });
   // Now, because what is drawn for the first time changes: lookup tables are built.
   internal.Signature = vtkSceneSignature(state, picture);
   gpu.Opaque.Deactivate(internal.State);
@@ -572,7 +574,7 @@ void vtkExactTransparencyPass::SmoothOpacities()
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::Resolve()
+void vtkExactTransparencyPass::Resolve(vtkIdType longestList)
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
@@ -581,7 +583,7 @@ void vtkExactTransparencyPass::Resolve()
     this->Avoid();
   }
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
-  const vtkPictureView view{ this->View, this->Layer, gpu.Sweep.GetLongestList() };
+  const vtkPictureView view{ this->View, this->Layer, longestList };
   if (gpu.Sweep.GetNumberOfLongLists() > 0)
   {
     this->CollapseLongLists(view);

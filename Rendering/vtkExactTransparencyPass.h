@@ -228,7 +228,7 @@ private:
   void CollapseLongLists(const vtkPictureView& view);
   void Solve();
   void SmoothOpacities();
-  void Resolve();
+  void Resolve(vtkIdType longestList);
   void BlendOtherProps(const vtkRenderState* state);
 
   int MemoryLimit = 1024;
