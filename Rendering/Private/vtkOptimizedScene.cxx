@@ -3,6 +3,7 @@
 
 #include "vtkOptimizedScene.h"
 
+#include "Importance.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -175,8 +176,8 @@ void vtkOptimizedScene::AddSettings()
 {
   this->ActorParameters.assign(1, Parameters());
   this->MissingArrays.clear();
-  this->LeastImportance = VTK_DOUBLE_MAX;
-  this->GreatestImportance = -VTK_DOUBLE_MAX;
+  this->FirstImportance.reset();
+  this->ImportancesDiffer = false;
   for (const Source& source : this->Sources)
   {
     this->ActorParameters.push_back(MakeParameters(source.Settings));
@@ -346,19 +347,21 @@ void vtkOptimizedScene::AddImportances(const Source& source)
   for (vtkPolyData* leaf : source.Leaves)
   {
     vtkDataArray* array = name ? leaf->GetPointData()->GetArray(name) : nullptr;
-    double range[2] = { 0.0, 0.0 };
-    if (array && array->GetNumberOfComponents() == 1)
+    if (array && array->GetNumberOfComponents() != 1)
     {
-      array->GetFiniteRange(range);
+      array = nullptr;
     }
-    else
+    if (!array)
     {
       this->MissingArrays.insert(name ? name : "");
     }
-    if (source.Optimizes)
+    const vtkIdType points = source.Optimizes ? leaf->GetNumberOfPoints() : 0;
+    for (vtkIdType point = 0; point < points && !this->ImportancesDiffer; ++point)
     {
-      this->LeastImportance = std::min(this->LeastImportance, std::clamp(range[0], 0.0, 1.0));
-      this->GreatestImportance = std::max(this->GreatestImportance, std::clamp(range[1], 0.0, 1.0));
+      const double importance =
+        array ? pellucid::ClampImportance(array->GetComponent(point, 0)) : 0.0;
+      this->FirstImportance = this->FirstImportance.value_or(importance);
+      this->ImportancesDiffer = importance != *this->FirstImportance;
     }
   }
 }
@@ -366,7 +369,7 @@ void vtkOptimizedScene::AddImportances(const Source& source)
 //------------------------------------------------------------------------------
 bool vtkOptimizedScene::HasOptimization() const
 {
-  return this->LeastImportance < this->GreatestImportance &&
+  return this->ImportancesDiffer &&
     std::any_of(this->ActorParameters.begin(), this->ActorParameters.end(),
       [](const Parameters& actor)
       { return actor.OcclusionWeight > 0.0f || actor.ClutterWeight > 0.0f; });

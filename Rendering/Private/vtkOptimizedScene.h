@@ -14,11 +14,14 @@
 #define vtkOptimizedScene_h
 
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,6 +29,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkImportanceDrivenOpacity;
 class vtkPolyData;
+class vtkPolyDataMapper;
 class vtkProp;
 
 class vtkOptimizedScene
@@ -183,9 +187,11 @@ private:
   std::set<std::string> MissingArrays;
   std::set<std::string> ToldArrays;
 
-  // Of the actors whose opacities are optimised.
-  double LeastImportance = 0.0;
-  double GreatestImportance = 0.0;
+  // Of the points of the actors whose opacities are optimised.
+  std::optional<double> FirstImportance;
+  bool ImportancesDiffer = false;
+
+  std::vector<std::pair<vtkWeakPointer<vtkPolyDataMapper>, std::string>> Mappings;
 };
 
 VTK_ABI_NAMESPACE_END
