@@ -337,12 +337,12 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
     return;
   }
   using Change = vtkOptimizedScene::Change;
+  scene.MapImportances();
   const bool isFirst = gpu.Opacities.GetBytes() == 0;
   if (isFirst || change != Change::None)
   {
     gpu.HasSolved = false;
-    gpu.HasAvoided = false;
-    scene.MapImportances();
+    gpu.HasAvoided = gpu.HasAvoided && !scene.HasAvoidance();
     const bool uploaded = isFirst || change == Change::Segments
       ? gpu.Opacities.Upload(scene)
       : gpu.Opacities.UploadSettings(scene);
@@ -374,7 +374,9 @@ void vtkExactTransparencyPass::BeginSweeps(
   const vtkMTimeType shaderTime = gpu.Gather.GetShaderTime();
   gpu.Gather.SetFormat(gpu.Opaque.GetSamples(), internal.StoresImportance);
   gpu.Stages.SetStoresImportance(internal.StoresImportance);
-  const bool isSame = shaderTime == gpu.Gather.GetShaderTime() &&
+  // Factors stay in the lists where no others are found.
+  const bool hasOldFactors = gpu.HasAvoided && !internal.HasAvoidance();
+  const bool isSame = !hasOldFactors && shaderTime == gpu.Gather.GetShaderTime() &&
     vtkSceneSignature(state, picture).IsSame(internal.Signature);
   if (!isSame)
   {

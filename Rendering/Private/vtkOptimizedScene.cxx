@@ -18,7 +18,6 @@
 #include "vtkTrajectoryMapper.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <tuple>
@@ -406,18 +405,27 @@ const vtkOptimizedScene::Part& vtkOptimizedScene::Member::FindPart(vtkAbstractMa
 }
 
 //------------------------------------------------------------------------------
-void vtkOptimizedScene::MapImportances() const
+void vtkOptimizedScene::MapImportances()
 {
+  decltype(this->Mappings) mappings;
   for (const Source& source : this->Sources)
   {
     auto* mapper =
       vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(source.Prop)->GetMapper());
-    if (mapper && !vtkTrajectoryMapper::SafeDownCast(mapper))
+    if (!mapper || vtkTrajectoryMapper::SafeDownCast(mapper))
     {
-      mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
-        source.Settings->GetImportanceArray(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+      continue;
+    }
+    const char* name = source.Settings->GetImportanceArray();
+    mappings.emplace_back(mapper, name ? name : "");
+    if (std::find(this->Mappings.begin(), this->Mappings.end(), mappings.back()) ==
+      this->Mappings.end())
+    {
+      mapper->MapDataArrayToVertexAttribute(
+        "pellucidImportanceMC", name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }
+  this->Mappings = std::move(mappings);
 }
 
 //------------------------------------------------------------------------------

@@ -141,8 +141,9 @@ public:
     return static_cast<vtkIdType>(this->ActorOfSegment.size());
   }
 
-  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. */
-  void MapImportances() const;
+  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. Changes a
+   * mapper only where it does not do so yet. */
+  void MapImportances();
 
   /** Importance arrays that the data of an actor lacks; each is told once, until data change. */
   std::vector<std::string> TakeMissingArrays();
