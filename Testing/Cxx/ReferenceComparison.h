@@ -7,12 +7,14 @@
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkExactTransparencyPass.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkReferenceRenderer.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
+#include "vtkTransparencyInstaller.h"
 
 #include <array>
 #include <vector>
@@ -113,6 +115,20 @@ private:
 
   static constexpr double SilhouetteTolerance = 16.0;
 
+  /// Render what the pass of the renderer shows, if it has one.
+  void Update(vtkReferenceRenderer* reference)
+  {
+    reference->SetRenderer(this->Renderer);
+    reference->SetSize(this->Shown.Width, this->Shown.Height);
+    if (vtkExactTransparencyPass* pass = vtkTransparencyInstaller::GetPass(this->Renderer))
+    {
+      reference->SetView(pass->GetView());
+      reference->SetLayer(pass->GetLayer());
+      reference->SetGatherScale(pass->GetGatherScale());
+    }
+    reference->Update();
+  }
+
   /// The reference's RGBA, with the view displaced by a part of a pixel.
   std::vector<double> RenderReference(double dx, double dy)
   {
@@ -122,9 +138,7 @@ private:
     camera->SetWindowCenter(
       center[0] + 2.0 * dx / this->Shown.Width, center[1] + 2.0 * dy / this->Shown.Height);
     vtkNew<vtkReferenceRenderer> reference;
-    reference->SetRenderer(this->Renderer);
-    reference->SetSize(this->Shown.Width, this->Shown.Height);
-    reference->Update();
+    this->Update(reference);
     camera->SetWindowCenter(center[0], center[1]);
     this->Fragments = reference->GetNumberOfFragments();
     this->LongestList = reference->GetLongestList();
@@ -201,9 +215,7 @@ private:
     const int x = static_cast<int>(pixel % this->Shown.Width);
     const int y = static_cast<int>(pixel / this->Shown.Width);
     vtkNew<vtkReferenceRenderer> reference;
-    reference->SetRenderer(this->Renderer);
-    reference->SetSize(this->Shown.Width, this->Shown.Height);
-    reference->Update();
+    this->Update(reference);
     vtkNew<vtkTable> fragments;
     reference->GetPixelFragments(x, y, fragments);
     const unsigned char* shown = this->Shown.GetPixel(x, y);
