@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 import pellucid
 from pictures import picture
 
-PRESETS = ["balanced", "clear-front", "focus", "clear-back", "points"]
+PRESETS = ["clear-front", "balanced", "focus", "clear-back", "points"]
 
 
 def with_array(data, name, values):
@@ -68,14 +68,19 @@ class TestOptimize(unittest.TestCase):
     def setUp(self):
         self.actor = make_actor(make_lines())
 
+    def assert_same_parameters(self, found, expected):
+        for member in ("OcclusionWeight", "ClutterWeight", "Emphasis", "SmoothingIterations"):
+            self.assertEqual(getattr(found, "Get" + member)(), getattr(expected, "Get" + member)())
+
     def test_presets(self):
         self.assertEqual(pellucid.presets(), PRESETS)
         for name in PRESETS:
             expected = pellucid.vtkOpacityOptimization()
             expected.UsePreset(name)
-            found = pellucid.optimize(self.actor, name)
-            for member in ("OcclusionWeight", "ClutterWeight", "Emphasis", "SmoothingIterations"):
-                self.assertEqual(getattr(found, "Get" + member)(), getattr(expected, "Get" + member)())
+            self.assert_same_parameters(pellucid.optimize(self.actor, name), expected)
+        default = pellucid.optimize(self.actor)
+        self.assert_same_parameters(default, pellucid.optimize(self.actor, PRESETS[0]))
+        self.assert_same_parameters(default, pellucid.vtkOpacityOptimization())
 
     def test_parameters(self):
         found = pellucid.optimize(
