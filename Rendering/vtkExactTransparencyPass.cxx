@@ -4,9 +4,8 @@
 #include "vtkExactTransparencyPass.h"
 
 #include "Private/vtkFragmentGather.h"
-#include "Private/vtkFragmentLists.h"
 #include "Private/vtkFragmentStages.h"
-#include "Private/vtkFragmentTiles.h"
+#include "Private/vtkFragmentSweep.h"
 #include "Private/vtkLongFragmentList.h"
 #include "Private/vtkOpaqueLayer.h"
 #include "Private/vtkOptimizedScene.h"
@@ -36,13 +35,7 @@ vtkStandardNewMacro(vtkExactTransparencyPass);
 
 namespace
 {
-// Nodes for each pixel before anything is known about a scene.
-constexpr vtkIdType FirstNodesPerPixel = 2;
-
 constexpr vtkIdType BytesPerMiB = 1024 * 1024;
-
-// Smaller tiles are not divided when OpenGL has no memory: it would not help.
-constexpr vtkIdType LeastPixelsForMemory = 4096;
 
 const GLint NeededMajorVersion = 4;
 const GLint NeededMinorVersion = 3;
@@ -58,7 +51,7 @@ struct vtkExactTransparencyPass::Internals
   struct Resources
   {
     vtkFragmentGather Gather;
-    vtkFragmentLists Lists;
+    vtkFragmentSweep Sweep;
     vtkFragmentStages Stages;
     vtkSegmentOpacities Opacities;
     vtkPixelAttributes Attributes;
@@ -67,13 +60,12 @@ struct vtkExactTransparencyPass::Internals
     vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
 
     // What the frames before have left that is still right.
-    bool HasLists = false;   ///< of the whole picture, sorted
     bool HasSolved = false;  ///< the opacities of all segments
     bool HasAvoided = false; ///< the lists have the factors of occlusion avoidance
 
     vtkIdType GetBytes() const
     {
-      return this->Lists.GetBytes() + this->Opacities.GetBytes() + this->Attributes.GetBytes() +
+      return this->Sweep.GetBytes() + this->Opacities.GetBytes() + this->Attributes.GetBytes() +
         this->Opaque.GetBytes();
     }
   };
@@ -81,8 +73,6 @@ struct vtkExactTransparencyPass::Internals
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkMTimeType ContextTime = 0;
 
-  vtkFragmentTiles Tiles;      ///< of the picture
-  vtkFragmentTiles SmallTiles; ///< of the smaller one in which opacities are found
   vtkOptimizedScene Scene;
   vtkSceneSignature Signature;
   int SolvedScale = 1;       ///< GatherScale of the solution
@@ -90,28 +80,14 @@ struct vtkExactTransparencyPass::Internals
   double FrameTime = 0.0;    ///< of the last frame, in seconds
   double SolutionTime = 0.0; ///< of the frame that found the opacities to fade to
 
-  // The lists that are in the buffers.
   bool StoresImportance = false;
-  vtkPixelRectangle Image; ///< all that the sweep works on
-  vtkPixelRectangle Tile;
-  vtkFragmentTiles* SweepTiles = nullptr;
-  vtkIdType Fragments = 0;
-  vtkIdType LongestList = 0;
-  std::uint32_t LongLists = 0; ///< of the tile, left to the CPU
-
   vtkOpenGLState* State = nullptr;
 
   // Each is said once.
   bool WarnedOfOpenGL = false;
   bool WarnedOfBlending = false;
-  bool WarnedOfMemory = false;
-  bool ReportedNoMemory = false;
 
-  vtkIdType GetBytesPerNode() const
-  {
-    return this->StoresImportance ? vtkFragmentLists::BytesPerOptimizedNode
-                                  : vtkFragmentLists::BytesPerNode;
-  }
+  bool HasAvoidance() const { return this->StoresImportance && this->Scene.HasAvoidance(); }
 
   void FollowContext(vtkOpenGLRenderWindow* window)
   {
@@ -131,8 +107,7 @@ struct vtkExactTransparencyPass::Internals
       this->Window->PushContext();
       if (this->Window->IsCurrent())
       {
-        this->GPU->Gather.Release();
-        this->GPU->Lists.Release();
+        this->GPU->Sweep.Release();
         this->GPU->Stages.Release();
         this->GPU->Opacities.Release();
         this->GPU->Attributes.Release();
@@ -314,34 +289,31 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
     gpu.Opaque.Copy(internal.State, viewport);
   }
   this->PrepareImportance(state);
-  const vtkPixelRectangle image{ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } };
-  this->ForgetWhatChanged(state, image);
-
-  vtkOpenGLState::ScopedglScissor scissorSaver(internal.State);
-  vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(internal.State, GL_SCISSOR_TEST);
-  internal.State->vtkglEnable(GL_SCISSOR_TEST);
+  const vtkPixelRectangle picture{ { viewport[0], viewport[1] }, { viewport[2], viewport[3] } };
+  this->BeginSweeps(state, picture);
   gpu.Opaque.Activate(internal.State);
   if (internal.StoresImportance)
   {
-    this->OptimizeOpacities(state, image);
+    this->OptimizeOpacities();
   }
-  if (internal.Scene.HasAvoidance())
+  if (internal.HasAvoidance())
   {
-    this->PrepareAvoidance(state, image);
+    this->PrepareAvoidance(state->GetRenderer(), picture);
   }
   if (this->View == VIEW_LENGTH)
   {
-    this->ForTiles(state, image, 1, [] {});
+    gpu.Sweep.Run(1, [] {});
   }
-  this->ForTiles(state, image, 1, [this] { this->Resolve(); });
+  gpu.Sweep.Run(1, [this] { this->Resolve(); });
   // Now, because what is drawn for the first time changes: lookup tables are built.
-  internal.Signature = vtkSceneSignature(state, image);
+  internal.Signature = vtkSceneSignature(state, picture);
   gpu.Opaque.Deactivate(internal.State);
   vtkFragmentLists::Unbind();
   vtkSegmentOpacities::Unbind();
-  this->Statistics->SetFragments(internal.Fragments);
-  this->Statistics->SetLongestList(internal.LongestList);
-  this->Statistics->SetTiles(internal.Tiles.GetNumberOfTiles());
+  this->Statistics->SetFragments(gpu.Sweep.GetNumberOfFragments());
+  this->Statistics->SetLongestList(gpu.Sweep.GetLongestList());
+  this->Statistics->SetGatherPasses(gpu.Sweep.GetNumberOfGathers());
+  this->Statistics->SetTiles(gpu.Sweep.GetNumberOfTiles());
   this->NumberOfRenderedProps += static_cast<int>(gpu.Gather.GetRenderedProps().size());
 }
 
@@ -357,6 +329,8 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
     scene.HasOptimization() || scene.HasAvoidance() || (shows && scene.HasMembers());
   if (!internal.StoresImportance)
   {
+    // The next ones may be of other segments.
+    gpu.Opacities.Release();
     gpu.HasSolved = false;
     return;
   }
@@ -390,37 +364,50 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::ForgetWhatChanged(
-  const vtkRenderState* state, const vtkPixelRectangle& image)
+void vtkExactTransparencyPass::BeginSweeps(
+  const vtkRenderState* state, const vtkPixelRectangle& picture)
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   const vtkMTimeType shaderTime = gpu.Gather.GetShaderTime();
   gpu.Gather.SetFormat(gpu.Opaque.GetSamples(), internal.StoresImportance);
   gpu.Stages.SetStoresImportance(internal.StoresImportance);
-  const bool same = vtkSceneSignature(state, image).IsSame(internal.Signature) &&
-    shaderTime == gpu.Gather.GetShaderTime();
-  if (internal.SolvedScale != this->GatherScale)
+  const bool isSame = shaderTime == gpu.Gather.GetShaderTime() &&
+    vtkSceneSignature(state, picture).IsSame(internal.Signature);
+  if (!isSame)
   {
-    internal.SolvedScale = this->GatherScale;
-    gpu.HasSolved = false;
-  }
-  if (!same)
-  {
-    gpu.HasLists = false;
-    gpu.HasSolved = false;
     gpu.Gather.ForgetProps();
   }
-  if (gpu.Lists.GetBytes() > this->MemoryLimit * BytesPerMiB)
+  gpu.HasSolved = gpu.HasSolved && isSame && internal.SolvedScale == this->GatherScale;
+  internal.SolvedScale = this->GatherScale;
+
+  vtkFragmentSweep::Frame frame;
+  frame.Owner = this;
+  frame.Window = internal.Window;
+  frame.Stages = &gpu.Stages;
+  frame.Opaque = &gpu.Opaque;
+  frame.Timers = &gpu.Timers;
+  frame.Picture = picture;
+  frame.LimitBytes = this->MemoryLimit * BytesPerMiB;
+  frame.StoresImportance = internal.StoresImportance;
+  frame.DrawProps = [this, state]
   {
-    gpu.Lists.Release();
-    gpu.HasLists = false;
-  }
+    Internals::Resources& resources = *this->Internal->GPU;
+    resources.HasAvoided = false;
+    if (this->Internal->StoresImportance)
+    {
+      resources.Opacities.BindCorners();
+    }
+    this->PreRender(state);
+    resources.Gather.DrawProps(state, resources.Sweep.GetTile(), resources.Sweep.GetLists(),
+      resources.Opaque, this->Internal->Scene);
+    this->PostRender(state);
+  };
+  gpu.Sweep.Begin(frame, isSame);
 }
 
 //------------------------------------------------------------------------------
-void vtkExactTransparencyPass::OptimizeOpacities(
-  const vtkRenderState* state, const vtkPixelRectangle& image)
+void vtkExactTransparencyPass::OptimizeOpacities()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
@@ -429,7 +416,7 @@ void vtkExactTransparencyPass::OptimizeOpacities(
   {
     if (internal.Scene.HasOptimization())
     {
-      this->ForTiles(state, image, this->GatherScale, [this] { this->Solve(); });
+      gpu.Sweep.Run(this->GatherScale, [this] { this->Solve(); });
     }
     this->SmoothOpacities();
     gpu.HasSolved = true;
@@ -473,24 +460,23 @@ void vtkExactTransparencyPass::FadeOpacities()
 
 //------------------------------------------------------------------------------
 void vtkExactTransparencyPass::PrepareAvoidance(
-  const vtkRenderState* state, const vtkPixelRectangle& image)
+  vtkRenderer* renderer, const vtkPixelRectangle& picture)
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  if (gpu.HasLists && gpu.HasAvoided)
+  if (gpu.Sweep.HasLists() && gpu.HasAvoided)
   {
     return;
   }
-  vtkRenderer* renderer = state->GetRenderer();
-  if (!gpu.Attributes.Prepare(renderer, image, internal.Scene.SmoothsPixels()))
+  if (!gpu.Attributes.Prepare(renderer, picture, internal.Scene.SmoothsPixels()))
   {
     vtkErrorMacro("OpenGL has no room for the attributes of "
-      << image.GetNumberOfPixels() << " pixels. They are not smoothed in this picture.");
-    gpu.Attributes.Prepare(renderer, image, false);
+      << picture.GetNumberOfPixels() << " pixels. They are not smoothed in this picture.");
+    gpu.Attributes.Prepare(renderer, picture, false);
   }
   if (gpu.Attributes.Smooths())
   {
-    this->ForTiles(state, image, 1, [this] { this->FindAttributes(); });
+    gpu.Sweep.Run(1, [this] { this->FindAttributes(); });
   }
 }
 
@@ -501,14 +487,18 @@ void vtkExactTransparencyPass::FindAttributes()
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "attributes");
   gpu.Attributes.Bind();
-  this->DrawOffScreen(
-    [&] { gpu.Stages.FindAttributes(internal.Window, gpu.Opaque, internal.Tile, gpu.Attributes); });
-  if (internal.LongLists > 0)
+  gpu.Sweep.DrawOffScreen(
+    [&] {
+      gpu.Stages.FindAttributes(internal.Window, gpu.Opaque, gpu.Sweep.GetTile(), gpu.Attributes);
+    });
+  if (gpu.Sweep.GetNumberOfLongLists() > 0)
   {
     std::vector<vtkPixelAttributes::Attributes> pixels = gpu.Attributes.Read();
-    gpu.Lists.VisitLongLists(internal.LongLists, gpu.Opaque.GetSamples(),
-      [&](vtkLongFragmentList& list, std::uint32_t pixel) {
-        pixels[gpu.Attributes.GetIndex(internal.Tile, pixel)] = list.GetAttributes(&gpu.Attributes);
+    gpu.Sweep.GetLists().VisitLongLists(gpu.Sweep.GetNumberOfLongLists(), gpu.Opaque.GetSamples(),
+      [&](vtkLongFragmentList& list, std::uint32_t pixel)
+      {
+        pixels[gpu.Attributes.GetIndex(gpu.Sweep.GetTile(), pixel)] =
+          list.GetAttributes(&gpu.Attributes);
       });
     gpu.Attributes.Write(pixels);
   }
@@ -522,8 +512,8 @@ void vtkExactTransparencyPass::Avoid()
   vtkStageTimers::Scope stage(gpu.Timers, "avoid");
   gpu.Opacities.BindTables();
   gpu.Attributes.Bind();
-  this->DrawOffScreen(
-    [&] { gpu.Stages.Avoid(internal.Window, gpu.Opaque, internal.Tile, gpu.Attributes); });
+  gpu.Sweep.DrawOffScreen(
+    [&] { gpu.Stages.Avoid(internal.Window, gpu.Opaque, gpu.Sweep.GetTile(), gpu.Attributes); });
   gpu.HasAvoided = true;
 }
 
@@ -532,7 +522,7 @@ void vtkExactTransparencyPass::CollapseLongLists(const vtkPictureView& view)
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  const bool avoids = internal.Scene.HasAvoidance();
+  const bool avoids = internal.HasAvoidance();
   const auto attributes = avoids && gpu.Attributes.Smooths()
     ? gpu.Attributes.Read()
     : std::vector<vtkPixelAttributes::Attributes>();
@@ -541,189 +531,12 @@ void vtkExactTransparencyPass::CollapseLongLists(const vtkPictureView& view)
     if (avoids)
     {
       list.Avoid(internal.Scene, gpu.Attributes,
-        gpu.Attributes.Smooth(attributes, gpu.Attributes.GetIndex(internal.Tile, pixel)));
+        gpu.Attributes.Smooth(attributes, gpu.Attributes.GetIndex(gpu.Sweep.GetTile(), pixel)));
     }
   };
-  gpu.Lists.CollapseLongLists(internal.LongLists, gpu.Opaque.GetSamples(), view,
-    internal.StoresImportance ? gpu.Opacities.Read() : std::vector<float>(), avoid);
-  gpu.HasLists = false;
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image,
-  int scale, const std::function<void()>& work)
-{
-  Internals& internal = *this->Internal;
-  Internals::Resources& gpu = *internal.GPU;
-  if (scale == 1 && gpu.HasLists)
-  {
-    internal.Tile = image;
-    internal.State->vtkglScissor(image.Origin[0], image.Origin[1], image.Size[0], image.Size[1]);
-    gpu.Lists.Bind();
-    work();
-    return;
-  }
-  vtkOpenGLState::ScopedglViewport viewportSaver(internal.State);
-  internal.Image = image;
-  for (int& side : internal.Image.Size)
-  {
-    side = (side + scale - 1) / scale;
-  }
-  internal.State->vtkglViewport(
-    image.Origin[0], image.Origin[1], internal.Image.Size[0], internal.Image.Size[1]);
-  gpu.Opaque.SetScale(scale);
-  internal.SweepTiles = scale == 1 ? &internal.Tiles : &internal.SmallTiles;
-  internal.SweepTiles->Begin(internal.Image, this->MemoryLimit * BytesPerMiB,
-    vtkFragmentLists::GetLargestNodeCapacity(), internal.GetBytesPerNode());
-  internal.Fragments = 0;
-  internal.LongestList = 0;
-  gpu.HasLists = false;
-  while (internal.SweepTiles->Next(internal.Tile))
-  {
-    const vtkPixelRectangle& tile = internal.Tile;
-    internal.State->vtkglScissor(tile.Origin[0], tile.Origin[1], tile.Size[0], tile.Size[1]);
-    if (this->GatherTile(state))
-    {
-      gpu.HasLists = scale == 1 && tile == image;
-      work();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::GatherTile(const vtkRenderState* state)
-{
-  Internals& internal = *this->Internal;
-  const vtkPixelRectangle tile = internal.Tile;
-  const vtkIdType pixels = tile.GetNumberOfPixels();
-  vtkFragmentTiles& tiles = *internal.SweepTiles;
-  vtkFragmentLists& lists = internal.GPU->Lists;
-
-  vtkIdType fragments = 0;
-  vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * pixels);
-  do
-  {
-    if (!lists.Reserve(pixels, nodes, internal.GPU->Opaque.GetSamples(), internal.StoresImportance))
-    {
-      lists.Release();
-      this->DivideForMemory(nodes);
-      return false;
-    }
-    fragments = this->Gather(state);
-    if (tiles.MustSplit(tile, fragments))
-    {
-      tiles.Split(tile, fragments);
-      return false;
-    }
-    if (fragments > tiles.GetNodeCapacity())
-    {
-      this->GiveUp(fragments);
-      return false;
-    }
-    // A quarter more, so that a slowly turning view does not grow the buffers every frame.
-    nodes = std::max(fragments, std::min(fragments + fragments / 4, tiles.GetNodeLimit()));
-  } while (fragments > lists.GetNodeCapacity());
-
-  this->WarnOfMemory(fragments);
-  this->Sort();
-  tiles.Finish(tile, fragments);
-  internal.Fragments += fragments;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::DivideForMemory(vtkIdType nodes)
-{
-  vtkFragmentTiles& tiles = *this->Internal->SweepTiles;
-  tiles.LowerNodeCapacity(nodes / 2);
-  if (this->Internal->Tile.GetNumberOfPixels() > LeastPixelsForMemory)
-  {
-    tiles.Split(this->Internal->Tile, nodes);
-  }
-  else
-  {
-    this->GiveUp(nodes);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::GiveUp(vtkIdType nodes)
-{
-  this->Internal->SweepTiles->Abandon();
-  if (!this->Internal->ReportedNoMemory)
-  {
-    const vtkPixelRectangle& tile = this->Internal->Tile;
-    vtkErrorMacro("OpenGL has no room for the fragment lists of "
-      << tile.Size[0] << " x " << tile.Size[1] << " pixels: needed are "
-      << nodes * this->Internal->GetBytesPerNode() / BytesPerMiB + 1
-      << " MiB. The rest of the picture shows the opaque scene only. Free graphics memory, or draw "
-         "fewer translucent layers.");
-    this->Internal->ReportedNoMemory = true;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::WarnOfMemory(vtkIdType fragments)
-{
-  const bool exceeds = fragments > this->Internal->SweepTiles->GetNodeLimit();
-  if (exceeds && !this->Internal->WarnedOfMemory)
-  {
-    vtkWarningMacro("One pixel has "
-      << fragments << " translucent fragments, which need "
-      << fragments * this->Internal->GetBytesPerNode() << " bytes, more than the memory limit of "
-      << this->MemoryLimit << " MiB. The limit is exceeded to keep the picture exact.");
-    this->Internal->WarnedOfMemory = true;
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkExactTransparencyPass::Gather(const vtkRenderState* state)
-{
-  Internals& internal = *this->Internal;
-  Internals::Resources& gpu = *internal.GPU;
-  vtkStageTimers::Scope stage(gpu.Timers, "gather");
-  this->Statistics->SetGatherPasses(this->Statistics->GetGatherPasses() + 1);
-  gpu.HasAvoided = false;
-  gpu.Lists.Clear(internal.Tile.GetNumberOfPixels());
-  gpu.Lists.Bind();
-  if (internal.StoresImportance)
-  {
-    gpu.Opacities.BindCorners();
-  }
-  this->DrawOffScreen(
-    [&]
-    {
-      this->PreRender(state);
-      gpu.Gather.DrawProps(state, internal.Tile, gpu.Lists, gpu.Opaque, internal.Scene);
-      this->PostRender(state);
-    });
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  return gpu.Lists.ReadCounters().GetFragments();
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::DrawOffScreen(const std::function<void()>& draw)
-{
-  Internals& internal = *this->Internal;
-  internal.State->PushFramebufferBindings();
-  internal.GPU->Gather.BindFramebuffer(internal.State, internal.Tile);
-  draw();
-  internal.State->PopFramebufferBindings();
-}
-
-//------------------------------------------------------------------------------
-void vtkExactTransparencyPass::Sort()
-{
-  Internals& internal = *this->Internal;
-  Internals::Resources& gpu = *internal.GPU;
-  vtkStageTimers::Scope stage(gpu.Timers, "sort");
-  this->DrawOffScreen([&] { gpu.Stages.Sort(internal.Window, gpu.Opaque, internal.Tile); });
-  const vtkFragmentLists::Counters counters = gpu.Lists.ReadCounters();
-  internal.LongLists = counters.LongLists;
-  const vtkIdType longest = internal.LongLists > 0
-    ? gpu.Lists.MeasureLongLists(internal.LongLists, gpu.Opaque.GetSamples())
-    : counters.LongestList;
-  internal.LongestList = std::max(internal.LongestList, longest);
+  gpu.Sweep.GetLists().CollapseLongLists(gpu.Sweep.GetNumberOfLongLists(), gpu.Opaque.GetSamples(),
+    view, internal.StoresImportance ? gpu.Opacities.Read() : std::vector<float>(), avoid);
+  gpu.Sweep.ForgetLists();
 }
 
 //------------------------------------------------------------------------------
@@ -732,14 +545,15 @@ void vtkExactTransparencyPass::Solve()
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   vtkStageTimers::Scope stage(gpu.Timers, "solve");
-  gpu.Lists.ClearSolvedFragments();
+  gpu.Sweep.GetLists().ClearSolvedFragments();
   gpu.Opacities.BindTables();
-  this->DrawOffScreen([&] { gpu.Stages.Solve(internal.Window, gpu.Opaque, internal.Tile); });
-  vtkIdType solved = gpu.Lists.ReadCounters().SolvedFragments;
-  if (internal.LongLists > 0)
+  gpu.Sweep.DrawOffScreen(
+    [&] { gpu.Stages.Solve(internal.Window, gpu.Opaque, gpu.Sweep.GetTile()); });
+  vtkIdType solved = gpu.Sweep.GetLists().ReadCounters().SolvedFragments;
+  if (gpu.Sweep.GetNumberOfLongLists() > 0)
   {
-    const auto opacities =
-      gpu.Lists.SolveLongLists(internal.LongLists, gpu.Opaque.GetSamples(), internal.Scene);
+    const auto opacities = gpu.Sweep.GetLists().SolveLongLists(
+      gpu.Sweep.GetNumberOfLongLists(), gpu.Opaque.GetSamples(), internal.Scene);
     gpu.Opacities.Lower(opacities);
     solved += static_cast<vtkIdType>(opacities.size());
   }
@@ -760,13 +574,13 @@ void vtkExactTransparencyPass::Resolve()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  if (internal.Scene.HasAvoidance() && !gpu.HasAvoided)
+  if (internal.HasAvoidance() && !gpu.HasAvoided)
   {
     this->Avoid();
   }
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
-  const vtkPictureView view{ this->View, this->Layer, internal.LongestList };
-  if (internal.LongLists > 0)
+  const vtkPictureView view{ this->View, this->Layer, gpu.Sweep.GetLongestList() };
+  if (gpu.Sweep.GetNumberOfLongLists() > 0)
   {
     this->CollapseLongLists(view);
   }
@@ -774,7 +588,7 @@ void vtkExactTransparencyPass::Resolve()
   {
     gpu.Opacities.BindOpacities();
   }
-  gpu.Stages.Resolve(internal.Window, gpu.Opaque, internal.Tile, view);
+  gpu.Stages.Resolve(internal.Window, gpu.Opaque, gpu.Sweep.GetTile(), view);
 }
 
 //------------------------------------------------------------------------------

@@ -18,13 +18,21 @@
  *                to its pixel's linked list
  * 4. `sort`    - each list is sorted by depth in place
  * 5. `solve`   - where opacities are optimised (vtkOpacityOptimization): the optimal opacity of
- * each fragment, and the least one of each segment
+ *                each fragment, and the least one of each segment
  * 6. `smooth`  - the opacities of segments are smoothed along lines and surfaces
- * 7. `resolve` - each list is composited over the opaque scene, with the optimised opacities
- * 8. `blend`   - props whose mapper takes no part in render passes, over the result; counted in the
+ * 7. `fade`    - what is shown comes nearer to that (SetFadeTime())
+ * 8. `attributes` - where they are smoothed: what occlusion avoidance looks up in other pixels
+ * 9. `avoid`   - where occlusion is avoided (vtkOcclusionAvoidance): a factor for each fragment
+ * 10. `resolve` - each list is composited over the opaque scene, with the opacities found
+ * 11. `blend`  - props whose mapper takes no part in render passes, over the result; counted in the
  *                statistics, with one warning
  * A frame without translucent geometry runs VTK's own path and nothing else, and allocates nothing;
  * what an earlier frame has allocated is kept for the next.
+ *
+ * What a frame shares with the one before is not found again. Where camera, lights, props, their
+ * data and the size are the same, there is no `gather` and no `sort`; with the same parameters of
+ * opacities no `solve`, `smooth` and `avoid` either. This needs plain actors with poly data
+ * mappers, without textures and observers of their shaders: other props are drawn in every frame.
  *
  * Exactness. Lists of any length are composited completely. When the fragments do not fit into the
  * buffers these grow; when they would exceed #MemoryLimit the image is worked through in
@@ -44,7 +52,8 @@
  *
  * @par Reference
  * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D (2016), chapter
- * 2, for the lists and the compositing (equations 2.3 and 2.4); its lists drop what does not fit.
+ * 2, for the lists and the compositing (equations 2.3 and 2.4), whose lists drop what does not fit,
+ * and sections 3.2 and 3.3 for occlusion avoidance.
  * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and Surfaces
  * (2017), for the optimisation; there it takes a second geometry pass.
  *
@@ -60,9 +69,8 @@
 #include "vtkSmartPointer.h"            // for GetOptimizedOpacities
 #include "vtkTransparencyStatistics.h"  // for GetStatistics
 
-#include <functional> // for the work on a tile
-#include <memory>     // for std::unique_ptr
-#include <string>     // for the reason
+#include <memory> // for std::unique_ptr
+#include <string> // for the reason
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -81,11 +89,11 @@ public:
   ///@{
   /**
    * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 49 million
-   * fragments at a time, half of that where opacities are optimised, or for 16 million where OpenGL
-   * limits a buffer to 128 MiB as Mesa's software renderer does. A scene that needs more is drawn
-   * in several rectangles, which costs one more traversal of the geometry for each. Only the list
-   * of a single pixel may exceed the limit; a warning tells. The copies of the opaque scene come on
-   * top: 8 bytes for each sample, 20 for each in a floating-point target.
+   * fragments at a time, half of that where opacities follow from importance, or for 16 million
+   * where OpenGL limits a buffer to 128 MiB as Mesa's software renderer does. A scene that needs
+   * more is drawn in several rectangles, which costs one more traversal of the geometry for each.
+   * Only the list of a single pixel may exceed the limit; a warning tells. The copies of the opaque
+   * scene come on top: 8 bytes for each sample, 20 for each in a floating-point target.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
@@ -132,8 +140,9 @@ public:
   /**
    * Optimised opacities (vtkOpacityOptimization) are found in a picture of 1/GatherScale of the
    * width and height, 1 (the default) to 4. Above 1 the geometry is drawn twice, small and
-   * large; what covers less than such a pixel may be missed, and then shows with the opacity that
-   * its neighbours on the line or surface have.
+   * large; segments that cover less than such a pixel may be missed, and then show with the opacity
+   * of their neighbours on the line or surface, or fully where these are missed too. The error of
+   * the picture (RMSE) for lines 1 to 2 pixels wide is 6 of 255 with 2, and 10 with 4.
    */
   vtkSetClampMacro(GatherScale, int, 1, 4);
   vtkGetMacro(GatherScale, int);
@@ -210,22 +219,13 @@ private:
   void RenderGeometry(const vtkRenderState* state);
   void RenderTranslucentGeometry(const vtkRenderState* state);
   void PrepareImportance(const vtkRenderState* state);
-  void ForgetWhatChanged(const vtkRenderState* state, const vtkPixelRectangle& image);
-  void OptimizeOpacities(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void BeginSweeps(const vtkRenderState* state, const vtkPixelRectangle& picture);
+  void OptimizeOpacities();
   void FadeOpacities();
-  void PrepareAvoidance(const vtkRenderState* state, const vtkPixelRectangle& image);
+  void PrepareAvoidance(vtkRenderer* renderer, const vtkPixelRectangle& picture);
   void FindAttributes();
   void Avoid();
   void CollapseLongLists(const vtkPictureView& view);
-  void ForTiles(const vtkRenderState* state, const vtkPixelRectangle& image, int scale,
-    const std::function<void()>& work);
-  bool GatherTile(const vtkRenderState* state);
-  void DivideForMemory(vtkIdType nodes);
-  void GiveUp(vtkIdType nodes);
-  void WarnOfMemory(vtkIdType fragments);
-  void DrawOffScreen(const std::function<void()>& draw);
-  vtkIdType Gather(const vtkRenderState* state);
-  void Sort();
   void Solve();
   void SmoothOpacities();
   void Resolve();

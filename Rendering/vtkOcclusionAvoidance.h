@@ -18,8 +18,8 @@
  *
  * - mode Penalty: the penalty, where the fragment is in front: nearer than D, and less important
  *   than M;
- * - mode Weighting: 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), equations 3.2 and 3.3
- *   there.
+ * - mode Weighting: 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), equations 3.2
+ * and 3.3 there.
  *
  * @sa vtkImportanceDrivenOpacity vtkOpacityOptimization vtkExactTransparencyPass
  */

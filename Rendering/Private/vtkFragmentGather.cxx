@@ -10,7 +10,6 @@
 #include "vtkFragmentStages.h"
 #include "vtkOpaqueDepthDec.h"
 #include "vtkOpaqueLayer.h"
-#include "vtkOpenGLState.h"
 #include "vtkOptimizedScene.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
@@ -64,21 +63,6 @@ void vtkFragmentGather::SetFormat(int samples, bool storesImportance)
     this->StoresImportance = storesImportance;
     this->ShaderTime.Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentGather::BindFramebuffer(vtkOpenGLState* state, const vtkPixelRectangle& tile)
-{
-  if (this->Framebuffer == 0)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  state->vtkglDrawBuffer(GL_NONE);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, tile.Origin[0] + tile.Size[0]);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, tile.Origin[1] + tile.Size[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -169,13 +153,6 @@ void vtkFragmentGather::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
     program->SetUniformi("pellucidFirstCornerOpacity",
       static_cast<int>(this->Scene->GetNumberOfSegments() + part.FirstCorner));
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentGather::Release()
-{
-  glDeleteFramebuffers(1, &this->Framebuffer);
-  this->Framebuffer = 0;
 }
 
 VTK_ABI_NAMESPACE_END

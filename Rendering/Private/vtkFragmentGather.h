@@ -9,7 +9,6 @@
 #define vtkFragmentGather_h
 
 #include "vtkFragmentTiles.h" // for vtkPixelRectangle
-#include "vtkOpenGLError.h"   // for OpenGL itself, through the loader that this VTK uses
 #include "vtkTimeStamp.h"
 
 #include <set>
@@ -21,7 +20,6 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkFragmentLists;
 class vtkOpaqueLayer;
-class vtkOpenGLState;
 class vtkOptimizedScene;
 class vtkProp;
 class vtkRenderState;
@@ -40,12 +38,6 @@ public:
 
   /** What a fragment is stored for. Mappers make their shaders anew where it changes. */
   void SetFormat(int samples, bool storesImportance);
-
-  /**
-   * Bind a framebuffer without attachments, as large as the tile reaches into the window, so that
-   * fragments have the same window coordinates as in the target.
-   */
-  void BindFramebuffer(vtkOpenGLState* state, const vtkPixelRectangle& tile);
 
   /** Draw all props; the lists and the framebuffer are bound. `scene` has the importances. */
   void DrawProps(const vtkRenderState* state, const vtkPixelRectangle& tile,
@@ -66,13 +58,10 @@ public:
   vtkMTimeType GetShaderTime() const { return this->ShaderTime; }
   ///@}
 
-  void Release();
-
 private:
   /** Whether a mapper is of an actor with importance that it does not bring itself. */
   bool NeedsImportance(vtkAbstractMapper* mapper) const;
 
-  GLuint Framebuffer = 0;
   int Samples = 0;
   bool StoresImportance = false;
   vtkTimeStamp ShaderTime;

@@ -25,6 +25,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractMapper;
 class vtkImportanceDrivenOpacity;
+class vtkMapper;
 class vtkPolyData;
 class vtkProp;
 
@@ -80,6 +81,7 @@ public:
     vtkImportanceDrivenOpacity* Settings = nullptr;
     bool Avoids = false;     ///< the settings are a vtkOcclusionAvoidance
     std::vector<Part> Parts; ///< one at least
+    std::string MappedArray; ///< that VTK's mapper brings to the graphics memory
 
     /** What that mapper draws. */
     const Part& FindPart(vtkAbstractMapper* mapper) const;
@@ -137,8 +139,9 @@ public:
     return static_cast<vtkIdType>(this->ActorOfSegment.size());
   }
 
-  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. */
-  void MapImportances() const;
+  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. Those that
+   * do so already are not touched: it makes them upload all data anew. */
+  void MapImportances();
 
   /** Importance arrays that the data of an actor lacks; each is told once, until data change. */
   std::vector<std::string> TakeMissingArrays();
@@ -153,6 +156,7 @@ private:
   struct Source
   {
     vtkProp* Prop;
+    vtkMapper* Mapper;
     vtkImportanceDrivenOpacity* Settings;
     vtkMTimeType SettingsTime;
     bool Optimizes; ///< the settings are a vtkOpacityOptimization: there are segments
