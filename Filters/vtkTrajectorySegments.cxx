@@ -10,6 +10,7 @@
 #include "Private/vtkPolylines.h"
 #include "Private/vtkUnsharedPoints.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -20,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -41,10 +43,14 @@ constexpr vtkIdType MinimumBatch = 1024;
 // Part of the progress that the lengths are.
 constexpr double MeasureProgress = 0.4;
 
+// What is aimed at where no number is given.
+constexpr double UsualSegments = 20000.0;
+constexpr double SegmentsAcrossDiagonal = 128.0;
+
 //------------------------------------------------------------------------------
-// Call visit(point id, length of the line up to that point) along a line, and return its length:
-// NaN if a coordinate is missing. Lengths never decrease; adding up block by block keeps the error
-// of 10^7 points near that of a thousand.
+// Call visit(point id, length of the line up to that point, position) along a line, and return its
+// length: NaN if a coordinate is missing. Lengths never decrease; adding up block by block keeps
+// the error of 10^7 points near that of a thousand.
 template <typename Function>
 double WalkLine(
   const vtkPolylines& lines, const vtkArrayValues& coordinates, vtkIdType line, Function&& visit)
@@ -71,7 +77,8 @@ double WalkLine(
       const double dy = x[1][i] - x[1][i - 1];
       const double dz = x[2][i] - x[2][i - 1];
       lengthOfBlock += std::sqrt(dx * dx + dy * dy + dz * dz);
-      visit(ids[i], length + lengthOfBlock);
+      const double position[3] = { x[0][i], x[1][i], x[2][i] };
+      visit(ids[i], length + lengthOfBlock, position);
     }
     length += lengthOfBlock;
   }
@@ -152,6 +159,7 @@ struct vtkTrajectorySegments::Leaf
 {
   vtkPolyData* Data; // of the output
   std::vector<double> Lengths;
+  vtkBoundingBox Box; // of the lines with a length
 
   double GetLength() const
   {
@@ -197,7 +205,7 @@ bool vtkTrajectorySegments::Divide(vtkDataObject* input, vtkDataObject* output)
     {
       copy->ShallowCopy(
         vtkUnsharedPoints::Make(lines, vtkUnsharedPoints::LINES_AND_VERTICES, this));
-      leaves.push_back({ vtkPolyData::SafeDownCast(copy), {} });
+      leaves.push_back({ vtkPolyData::SafeDownCast(copy), {}, {} });
     }
   }
   const auto forEachLeaf = [&](const vtkBatches& batches, auto&& work)
@@ -218,14 +226,7 @@ bool vtkTrajectorySegments::Divide(vtkDataObject* input, vtkDataObject* output)
   {
     return false;
   }
-  double length = 0.0;
-  for (const Leaf& leaf : leaves)
-  {
-    length += leaf.GetLength();
-  }
-  const double target = this->SegmentLength > 0.0
-    ? this->SegmentLength
-    : length / static_cast<double>(this->NumberOfSegments);
+  const double target = this->ChooseLength(leaves);
   double total = 0.0;
   for (const Leaf& leaf : leaves)
   {
@@ -245,15 +246,52 @@ bool vtkTrajectorySegments::MeasureLines(const vtkBatches& batches, Leaf& leaf)
   const vtkPolylines lines(leaf.Data->GetLines());
   const vtkArrayValues coordinates(GetCoordinates(leaf.Data));
   leaf.Lengths.resize(lines.GetNumberOfLines());
+  vtkSMPThreadLocal<vtkBoundingBox> boxes;
   const auto measure = [&](vtkIdType first, vtkIdType last)
   {
+    vtkBoundingBox& box = boxes.Local();
     for (vtkIdType line = first; line < last; ++line)
     {
-      const double length = WalkLine(lines, coordinates, line, [](vtkIdType, double) {});
-      leaf.Lengths[line] = std::isnan(length) ? 0.0 : length;
+      vtkBoundingBox boxOfLine;
+      const double length = WalkLine(lines, coordinates, line,
+        [&boxOfLine](vtkIdType, double, const double* x) { boxOfLine.AddPoint(x[0], x[1], x[2]); });
+      if (length > 0.0)
+      {
+        leaf.Lengths[line] = length;
+        box.AddBox(boxOfLine);
+      }
     }
   };
-  return batches.ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
+  const bool isComplete = batches.ParallelFor(lines.GetNumberOfLines(), measure, MinimumBatch);
+  for (const vtkBoundingBox& box : boxes)
+  {
+    leaf.Box.AddBox(box);
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+// World units; 0 without lines.
+double vtkTrajectorySegments::ChooseLength(const std::vector<Leaf>& leaves) const
+{
+  if (this->SegmentLength > 0.0)
+  {
+    return this->SegmentLength;
+  }
+  double length = 0.0;
+  vtkBoundingBox box;
+  for (const Leaf& leaf : leaves)
+  {
+    length += leaf.GetLength();
+    box.AddBox(leaf.Box);
+  }
+  if (this->NumberOfSegments > 0)
+  {
+    return length / static_cast<double>(this->NumberOfSegments);
+  }
+  return length == 0.0
+    ? 0.0
+    : std::max(length / UsualSegments, box.GetDiagonalLength() / SegmentsAcrossDiagonal);
 }
 
 //------------------------------------------------------------------------------
@@ -317,7 +355,7 @@ bool vtkTrajectorySegments::PlacePoints(const vtkBatches& batches, const Leaf& l
     for (vtkIdType line = first; line < last; ++line)
     {
       WalkLine(lines, coordinates, line,
-        [&](vtkIdType id, double length)
+        [&](vtkIdType id, double length, const double*)
         {
           const SegmentPosition position(length, leaf.Lengths[line], counts[line]);
           bases->SetValue(id, firsts[line] + position.Base);

@@ -46,6 +46,8 @@
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPellucidFiltersModule.h" // for the export macro
 
+#include <vector> // for the leaves
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkBatches;
 
@@ -58,19 +60,23 @@ public:
 
   ///@{
   /**
-   * How many segments all lines together are to have, at least 1: the target length is the length
-   * of all lines divided by it. As each line has one segment or more, and whole ones, the result
-   * differs by up to half the number of lines, and lines shorter than the target add to it. Points
-   * of vertex cells are not counted. Default is 20000: on a picture of 1000 x 1000 pixels, segments
-   * of some ten pixels.
+   * How many segments all lines together are to have: the target length is the length of all lines
+   * divided by it. As each line has one segment or more, and whole ones, the result differs by up
+   * to half the number of lines, and lines shorter than the target add to it. Points of vertex
+   * cells are not counted.
+   *
+   * 0, the default, makes about 20000, but none with a target below 1/128 of the diagonal of the
+   * bounds of all lines, which is some ten pixels where these fill the picture: a few lines in
+   * 20000 segments would be too short to be seen, and smoothing moves an opacity by one segment in
+   * each step.
    */
-  vtkSetClampMacro(NumberOfSegments, vtkIdType, 1, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfSegments, vtkIdType, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfSegments, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * Target length of a segment in world units; 0, the default, takes NumberOfSegments instead.
+   * Target length of a segment in world units; 0, the default, goes by NumberOfSegments instead.
    */
   vtkSetClampMacro(SegmentLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SegmentLength, double);
@@ -94,10 +100,11 @@ private:
 
   bool Divide(vtkDataObject* input, vtkDataObject* output);
   static bool MeasureLines(const vtkBatches& batches, Leaf& leaf);
+  double ChooseLength(const std::vector<Leaf>& leaves) const;
   static vtkIdType NumberSegments(const Leaf& leaf, double target);
   static bool PlacePoints(const vtkBatches& batches, const Leaf& leaf);
 
-  vtkIdType NumberOfSegments = 20000;
+  vtkIdType NumberOfSegments = 0;
   double SegmentLength = 0.0;
   vtkIdType TotalNumberOfSegments = 0;
 };

@@ -337,12 +337,12 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
     return;
   }
   using Change = vtkOptimizedScene::Change;
-  scene.MapImportances();
   const bool isFirst = gpu.Opacities.GetBytes() == 0;
   if (isFirst || change != Change::None)
   {
     gpu.HasSolved = false;
     gpu.HasAvoided = gpu.HasAvoided && !scene.HasAvoidance();
+    scene.MapImportances();
     const bool uploaded = isFirst || change == Change::Segments
       ? gpu.Opacities.Upload(scene)
       : gpu.Opacities.UploadSettings(scene);

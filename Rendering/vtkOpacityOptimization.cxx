@@ -23,8 +23,8 @@ struct Preset
   int SmoothingIterations;
 };
 
-constexpr std::array<Preset, 5> Presets{ { { "balanced", 50.0, 100.0, 3.0, 5 },
-  { "clear-front", 400.0, 50.0, 4.0, 5 }, { "focus", 1000.0, 50.0, 3.5, 50 },
+constexpr std::array<Preset, 5> Presets{ { { "clear-front", 400.0, 50.0, 4.0, 5 },
+  { "balanced", 50.0, 100.0, 3.0, 5 }, { "focus", 1000.0, 50.0, 3.5, 50 },
   { "clear-back", 50.0, 400.0, 2.0, 15 }, { "points", 200.0, 50.0, 3.0, 0 } } };
 }
 

@@ -56,8 +56,9 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
     "pressure, the active or first array, or Curvature. Inputs without importance keep their "
     "opacity");
   group.AddChoice("--preset", options.Preset, presets,
-    "Settings of the optimisation: balanced (default); clear-front, more of what hides goes; "
-    "focus, little but the important stays; clear-back, a quiet background; points, for particles. "
+    "Settings of the optimisation: clear-front (default), what hides goes; balanced, more of the "
+    "surroundings stays; focus, little but the important stays; clear-back, a quiet background; "
+    "points, for particles. "
     "This and the following five imply --optimize");
   group.AddNumber("--q", options.OcclusionWeight, 0.0, OptionGroup::Unbounded, "Q",
     "How much fades what lies in front of something important, at least 0; published: 50 to 1000; "

@@ -29,7 +29,7 @@ Examples:
     --exponent 3 --color-by pressure
   pellucid-render winds.nc -o only.png --select TotalPressureDifference:500: --opacity 1
   pellucid-render winds.nc -o clear.png --optimize
-  pellucid-render combxyz.bin -o core.png --preset clear-front --importance Density:90%:10%
+  pellucid-render combxyz.bin -o core.png --preset balanced --importance Density:90%:10%
   pellucid-render lines.vtp -o hint.png --avoid penalty --importance Height:50%:100%
   pellucid-render combxyz.bin -o opacities.png --optimize --view opacity)";
 

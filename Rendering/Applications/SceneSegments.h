@@ -15,9 +15,9 @@
 namespace pellucid
 {
 /**
- * Divide what has importance into segments: lines and points by vtkTrajectorySegments, all lines
- * into about 20000, of at least 1/128 of the diagonal of their bounds; each surface by
- * vtkSurfaceSegments with its default number, 400. Surfaces become parts of their own.
+ * Divide what has importance into segments, as many as the filters choose: all lines and points by
+ * one vtkTrajectorySegments, each surface by vtkSurfaceSegments. Surfaces become parts of their
+ * own.
  */
 void AddSegments(std::vector<Drawable>& drawables);
 }

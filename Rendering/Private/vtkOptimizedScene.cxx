@@ -104,8 +104,8 @@ bool CanAvoid(const vtkOptimizedScene::Parameters& actor)
 //------------------------------------------------------------------------------
 bool vtkOptimizedScene::Source::HasSegmentsOf(const Source& other) const
 {
-  return std::tie(this->Prop, this->Optimizes, this->Leaves, this->LeafTimes) ==
-    std::tie(other.Prop, other.Optimizes, other.Leaves, other.LeafTimes);
+  return std::tie(this->Prop, this->Mapper, this->Optimizes, this->Leaves, this->LeafTimes) ==
+    std::tie(other.Prop, other.Mapper, other.Optimizes, other.Leaves, other.LeafTimes);
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>&
     }
     actor->GetMapper()->Update();
     const bool optimizes = vtkOpacityOptimization::SafeDownCast(settings) != nullptr;
-    Source source{ prop, settings, settings->GetMTime(), optimizes, {}, {} };
+    Source source{ prop, actor->GetMapper(), settings, settings->GetMTime(), optimizes, {}, {} };
     source.Leaves =
       vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
     for (vtkPolyData* leaf : source.Leaves)
@@ -407,25 +407,19 @@ const vtkOptimizedScene::Part& vtkOptimizedScene::Member::FindPart(vtkAbstractMa
 //------------------------------------------------------------------------------
 void vtkOptimizedScene::MapImportances()
 {
-  decltype(this->Mappings) mappings;
   for (const Source& source : this->Sources)
   {
-    auto* mapper =
-      vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(source.Prop)->GetMapper());
-    if (!mapper || vtkTrajectoryMapper::SafeDownCast(mapper))
-    {
-      continue;
-    }
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(source.Mapper);
     const char* name = source.Settings->GetImportanceArray();
-    mappings.emplace_back(mapper, name ? name : "");
-    if (std::find(this->Mappings.begin(), this->Mappings.end(), mappings.back()) ==
-      this->Mappings.end())
+    const std::string array = name ? name : "";
+    std::string& mappedArray = this->Members[source.Prop].MappedArray;
+    if (mapper && !vtkTrajectoryMapper::SafeDownCast(mapper) && mappedArray != array)
     {
       mapper->MapDataArrayToVertexAttribute(
         "pellucidImportanceMC", name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+      mappedArray = array;
     }
   }
-  this->Mappings = std::move(mappings);
 }
 
 //------------------------------------------------------------------------------

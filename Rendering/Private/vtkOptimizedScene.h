@@ -14,22 +14,20 @@
 #define vtkOptimizedScene_h
 
 #include "vtkType.h"
-#include "vtkWeakPointer.h"
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractMapper;
 class vtkImportanceDrivenOpacity;
+class vtkMapper;
 class vtkPolyData;
-class vtkPolyDataMapper;
 class vtkProp;
 
 class vtkOptimizedScene
@@ -84,6 +82,7 @@ public:
     vtkImportanceDrivenOpacity* Settings = nullptr;
     bool Avoids = false;     ///< the settings are a vtkOcclusionAvoidance
     std::vector<Part> Parts; ///< one at least
+    std::string MappedArray; ///< that VTK's mapper brings to the graphics memory
 
     /** What that mapper draws. */
     const Part& FindPart(vtkAbstractMapper* mapper) const;
@@ -141,8 +140,8 @@ public:
     return static_cast<vtkIdType>(this->ActorOfSegment.size());
   }
 
-  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. Changes a
-   * mapper only where it does not do so yet. */
+  /** Make VTK's mappers bring importances to the graphics memory, as vertex attributes. Those that
+   * do so already are not touched: it makes them upload all data anew. */
   void MapImportances();
 
   /** Importance arrays that the data of an actor lacks; each is told once, until data change. */
@@ -158,6 +157,7 @@ private:
   struct Source
   {
     vtkProp* Prop;
+    vtkMapper* Mapper;
     vtkImportanceDrivenOpacity* Settings;
     vtkMTimeType SettingsTime;
     bool Optimizes; ///< the settings are a vtkOpacityOptimization: there are segments
@@ -191,8 +191,6 @@ private:
   // Of the points of the actors whose opacities are optimised.
   std::optional<double> FirstImportance;
   bool ImportancesDiffer = false;
-
-  std::vector<std::pair<vtkWeakPointer<vtkPolyDataMapper>, std::string>> Mappings;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -26,7 +26,7 @@ smoothness s with 2 s where nothing else acts: s = n/4. The importance of a segm
 middle.
 
     python3 compare_global.py --pictures folder --json figures.json
-    python3 compare_global.py --input combxyz.bin combq.bin --importance speed --preset clear-front
+    python3 compare_global.py --input combxyz.bin combq.bin --importance speed --preset balanced
 """
 
 import argparse
@@ -323,7 +323,7 @@ def parse_arguments():
                         "field, the total pressure difference of trajectories")
     parser.add_argument("--percentiles", nargs=2, type=float, default=(50.0, 99.0),
                         help="of the array, of importance 0 and 1")
-    parser.add_argument("--preset", default="balanced")
+    parser.add_argument("--preset", default="clear-front")
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--segments", type=int, default=10000)
     parser.add_argument("--radius", type=float, default=0.0,

@@ -22,7 +22,7 @@ bool TestLines()
 }
 
 //------------------------------------------------------------------------------
-// One line is one segment, and one vertex, where the data do not say more.
+// All lines together are one segment where the data do not say more.
 bool TestUndivided()
 {
   SphereScene scene(300, 300, 0, 0, 0);

@@ -232,6 +232,8 @@ void TestWeighting(Checks& checks)
 
   // The optimised squares weigh in their own sums only, but make another depth the most important.
   vtkNew<vtkOpacityOptimization> optimization;
+  optimization->SetOcclusionWeight(50);
+  optimization->SetClutterWeight(0);
   optimization->SetEmphasis(1);
   scene.AddSquare(6, 0.5, optimization);
   scene.AddSquare(-1, 1, optimization);
@@ -353,6 +355,7 @@ void TestGatherScale(Checks& checks)
   {
     vtkNew<vtkOpacityOptimization> optimization;
     optimization->SetOcclusionWeight(1);
+    optimization->SetEmphasis(3);
     Scene scene(test.size, test.size);
     scene.AddSquare(4, 0, optimization);
     scene.AddSquare(0, 1, optimization, test.important);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * vtkTrajectorySegments: counts in proportion to length, weights against an interpolation that is
- * written down plainly, lines of every degenerate kind, ids beyond 2^24, vertices, surfaces, shared
- * points, composite data, errors, progress, abort, and the same bits with any number of threads.
+ * vtkTrajectorySegments: counts in proportion to length and by default, weights against an
+ * interpolation that is written down plainly, lines of every degenerate kind, ids beyond 2^24,
+ * vertices, surfaces, shared points, composite data, errors, progress, abort, and the same bits
+ * with any number of threads.
  */
 
 #include "ReferenceTesting.h"
@@ -153,6 +154,41 @@ void TestWeights(Checks& checks)
     checks.True("about as many as wanted",
       std::abs(static_cast<double>(total - wanted)) <= static_cast<double>(lines.size()));
   }
+}
+
+//------------------------------------------------------------------------------
+// Without a number: about 20000 segments, none shorter than 1/128 of the diagonal of the lines.
+void TestUsualLength(Checks& checks)
+{
+  const auto countSegments = [](vtkDataObject* data)
+  {
+    vtkNew<vtkTrajectorySegments> filter;
+    filter->SetInputDataObject(data);
+    filter->Update();
+    return filter->GetTotalNumberOfSegments();
+  };
+  const auto few = MakeTrajectories({
+    { { 0, 0, 0 }, { 3, 4, 0 } },
+    { { 900, 900, 900 }, { 900, 900, 900 } },
+    { { MissingValue, 0, 0 }, { -900, 0, 0 } },
+  });
+  few->GetPoints()->InsertNextPoint(-900.0, 0.0, 0.0);
+  checks.Near("a few lines; those without length do not count", countSegments(few), 130, 0);
+
+  std::vector<Trajectory> lines;
+  for (int i = 0; i < 1000; ++i)
+  {
+    lines.push_back({ { 0, 0.1 * i, 0 }, { 100, 0.1 * i, 0 } });
+  }
+  const auto many = MakeTrajectories(lines);
+  checks.Near("many lines", countSegments(many), 20000, 0);
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeTrajectories({ { { 0, 0, 0 }, { 32, 0, 0 } } }));
+  blocks->SetBlock(1, MakeTrajectories({ { { 128, 0, 0 }, { 96, 0, 0 } } }));
+  checks.Near("the bounds are those of all leaves", countSegments(blocks), 64, 0);
+
+  checks.Near("a line of one point", countSegments(MakeTrajectories({ { { 1, 2, 3 } } })), 1, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -347,6 +383,7 @@ int TestTrajectorySegments(int, char*[])
 {
   Checks checks;
   TestWeights(checks);
+  TestUsualLength(checks);
   TestSpecialCells(checks);
   TestComposite(checks);
   TestLimits(checks);

@@ -231,13 +231,14 @@ class TestPluginReaders(unittest.TestCase):
         self.assertEqual(own.GetNumberOfCriteria(), 1)
 
     def test_segments_have_the_length_that_is_set(self):
-        segments = simple.TrajectorySegments(Input=self.pacific(), NumberOfSegments=500)
-        for length in (0.0, 5.0):
+        segments = simple.TrajectorySegments(Input=self.pacific())
+        for number, length in ((0, 0.0), (500, 0.0), (500, 5.0)):
+            segments.NumberOfSegments = number
             segments.SegmentLength = length
             segments.UpdatePipeline()
             segments.UpdatePropertyInformation()
             expected = pellucid.vtkTrajectorySegments()
-            expected.SetNumberOfSegments(500)
+            expected.SetNumberOfSegments(number)
             expected.SetSegmentLength(length)
             expected.SetInputData(servermanager.Fetch(segments.Input))
             expected.Update()

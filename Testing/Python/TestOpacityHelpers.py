@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 import pellucid
 from pictures import picture
 
-PRESETS = ["balanced", "clear-front", "focus", "clear-back", "points"]
+PRESETS = ["clear-front", "balanced", "focus", "clear-back", "points"]
 
 
 def with_array(data, name, values):
@@ -64,18 +64,56 @@ def make_sphere():
     return with_array(sphere, "Importance", numpy.linspace(0, 1, sphere.GetNumberOfPoints()))
 
 
+def make_window(*actors):
+    renderer = vtkRenderer()
+    for actor in actors:
+        renderer.AddActor(actor)
+    renderer.GetActiveCamera().SetPosition(0, 0, 4)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetSize(64, 48)
+    window.AddRenderer(renderer)
+    return pellucid.install(renderer), window
+
+
+def noted(caller, event):
+    """The list that takes the messages of an object from now on."""
+    messages = []
+
+    def note(_caller, _event, message):
+        messages.append(message)
+    note.CallDataType = "string0"
+    caller.AddObserver(event, note)
+    return messages
+
+
 class TestOptimize(unittest.TestCase):
     def setUp(self):
         self.actor = make_actor(make_lines())
+
+    def assert_same_parameters(self, found, expected):
+        for member in ("OcclusionWeight", "ClutterWeight", "Emphasis", "SmoothingIterations"):
+            self.assertEqual(getattr(found, "Get" + member)(), getattr(expected, "Get" + member)())
 
     def test_presets(self):
         self.assertEqual(pellucid.presets(), PRESETS)
         for name in PRESETS:
             expected = pellucid.vtkOpacityOptimization()
             expected.UsePreset(name)
-            found = pellucid.optimize(self.actor, name)
-            for member in ("OcclusionWeight", "ClutterWeight", "Emphasis", "SmoothingIterations"):
-                self.assertEqual(getattr(found, "Get" + member)(), getattr(expected, "Get" + member)())
+            self.assert_same_parameters(pellucid.optimize(self.actor, name), expected)
+        default = pellucid.optimize(self.actor)
+        self.assert_same_parameters(default, pellucid.optimize(self.actor, PRESETS[0]))
+        self.assert_same_parameters(default, pellucid.vtkOpacityOptimization())
+
+    def test_unknown_preset_changes_nothing(self):
+        optimization = pellucid.vtkOpacityOptimization()
+        optimization.UsePreset("focus")
+        messages = noted(optimization, "ErrorEvent")
+        self.assertFalse(optimization.UsePreset("x"))
+        self.assertIn(
+            f'There is no preset "x". Use one of: {", ".join(PRESETS)}.', "".join(messages))
+        self.assert_same_parameters(optimization, pellucid.optimize(self.actor, "focus"))
 
     def test_parameters(self):
         found = pellucid.optimize(
@@ -92,15 +130,7 @@ class TestOptimize(unittest.TestCase):
 
     def test_front_fades_and_comes_back(self):
         self.actor.GetProperty().SetColor(1, 0, 0)
-        renderer = vtkRenderer()
-        renderer.AddActor(self.actor)
-        renderer.GetActiveCamera().SetPosition(0, 0, 4)
-        window = vtkRenderWindow()
-        window.OffScreenRenderingOn()
-        window.SetMultiSamples(0)
-        window.SetSize(64, 48)
-        window.AddRenderer(renderer)
-        transparency = pellucid.install(renderer)
+        transparency, window = make_window(self.actor)
         window.Render()
         before = picture(window)
         pellucid.optimize(self.actor, occlusion_weight=1, clutter_weight=0, smoothing_iterations=0)
@@ -114,6 +144,15 @@ class TestOptimize(unittest.TestCase):
         window.Render()
         self.assertTrue(numpy.array_equal(picture(window), before))
         self.assertEqual(transparency.GetStatistics().GetSolvedFragments(), 0)
+
+    def test_missing_importance_is_told(self):
+        other = make_actor(make_lines("other"))
+        optimization = pellucid.optimize(self.actor)
+        optimization.Attach(other, optimization)
+        transparency, window = make_window(self.actor, other)
+        messages = noted(transparency, "WarningEvent")
+        window.Render()
+        self.assertIn('has no point array "Importance" of one component', "".join(messages))
 
     def test_segments_are_put_in_once_and_taken_out(self):
         for actor, filter_class in (
