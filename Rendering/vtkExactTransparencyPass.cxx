@@ -326,6 +326,14 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
   Internals::Resources& gpu = *internal.GPU;
   vtkOptimizedScene& scene = internal.Scene;
   const auto change = scene.Update(vtkFragmentGather::GetProps(state));
+  for (const std::string& array : scene.TakeMissingArrays())
+  {
+    vtkWarningMacro(
+      "The data of an actor whose opacities follow from importance has no point array \""
+      << array
+      << "\" of one component: it counts as unimportant. Name its importance with "
+         "vtkImportanceDrivenOpacity::SetImportanceArray().");
+  }
   const bool shows = this->View == VIEW_IMPORTANCE || this->View == VIEW_SEGMENTS;
   internal.StoresImportance =
     scene.HasOptimization() || scene.HasAvoidance() || (shows && scene.HasMembers());
@@ -354,14 +362,6 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
       gpu.Opacities.Release();
       internal.StoresImportance = false;
     }
-  }
-  for (const std::string& array : scene.TakeMissingArrays())
-  {
-    vtkWarningMacro(
-      "The data of an actor whose opacities follow from importance has no point array \""
-      << array
-      << "\" of one component: it counts as unimportant. Name its importance with "
-         "vtkImportanceDrivenOpacity::SetImportanceArray().");
   }
 }
 
