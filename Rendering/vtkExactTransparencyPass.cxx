@@ -40,8 +40,19 @@ constexpr vtkIdType BytesPerMiB = 1024 * 1024;
 const GLint NeededMajorVersion = 4;
 const GLint NeededMinorVersion = 3;
 
-// Times FadeTime after which the way that is left, 1/3000, is no longer looked at.
-constexpr double FadeTimesToTheEnd = 8.0;
+//------------------------------------------------------------------------------
+// Those out of view too: where they come and go, segments stay the same.
+std::vector<vtkProp*> GetViewProps(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> props;
+  vtkCollectionSimpleIterator iterator;
+  renderer->GetViewProps()->InitTraversal(iterator);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(iterator))
+  {
+    props.push_back(prop);
+  }
+  return props;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -75,10 +86,8 @@ struct vtkExactTransparencyPass::Internals
 
   vtkOptimizedScene Scene;
   vtkSceneSignature Signature;
-  int SolvedScale = 1;       ///< GatherScale of the solution
-  bool Fading = false;       ///< what is shown is not yet the solution
-  double FrameTime = 0.0;    ///< of the last frame, in seconds
-  double SolutionTime = 0.0; ///< of the frame that found the opacities to fade to
+  int SolvedScale = 1;    ///< GatherScale of the solution
+  double FrameTime = 0.0; ///< of the last frame, in seconds
 
   bool StoresImportance = false;
   vtkOpenGLState* State = nullptr;
@@ -325,7 +334,7 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   vtkOptimizedScene& scene = internal.Scene;
-  const auto change = scene.Update(vtkFragmentGather::GetProps(state));
+  const auto change = scene.Update(GetViewProps(state->GetRenderer()));
   for (const std::string& array : scene.TakeMissingArrays())
   {
     vtkWarningMacro(
@@ -333,6 +342,13 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
       << array
       << "\" of one component: it counts as unimportant. Name its importance with "
          "vtkImportanceDrivenOpacity::SetImportanceArray().");
+  }
+  for (const std::string& mapper : scene.TakeUnsupportedMappers())
+  {
+    vtkWarningMacro("An actor whose opacities are to follow from importance has a "
+      << mapper
+      << ", which cannot bring importances to the pass: it keeps its opacity. Use a "
+         "vtkTrajectoryMapper, or a vtkPolyDataMapper for each block or glyph.");
   }
   const bool shows = this->View == VIEW_IMPORTANCE || this->View == VIEW_SEGMENTS;
   internal.StoresImportance =
@@ -421,11 +437,15 @@ void vtkExactTransparencyPass::OptimizeOpacities()
     if (internal.Scene.HasOptimization())
     {
       gpu.Sweep.Run(this->GatherScale, [this] { this->Solve(); });
+      this->SmoothOpacities();
     }
-    this->SmoothOpacities();
+    else
+    {
+      gpu.Opacities.Forget();
+    }
     gpu.HasSolved = true;
   }
-  this->Statistics->SetFading(internal.Fading);
+  this->Statistics->SetFading(gpu.Opacities.IsFading());
 }
 
 //------------------------------------------------------------------------------
@@ -437,30 +457,16 @@ void vtkExactTransparencyPass::FadeOpacities()
   Internals::Resources& gpu = *internal.GPU;
   if (this->FadeTime == 0.0 || !gpu.Opacities.StartFading())
   {
-    if (gpu.Opacities.StopFading())
-    {
-      gpu.HasSolved = false;
-    }
-    internal.Fading = false;
+    gpu.HasSolved = !gpu.Opacities.StopFading() && gpu.HasSolved;
     return;
   }
-  const double now = this->FrameTime < 0.0 ? vtkTimerLog::GetUniversalTime() : this->FrameTime;
+  const double now = this->FrameTime >= 0.0 ? this->FrameTime : vtkTimerLog::GetUniversalTime();
   const double seconds = std::max(now - internal.FrameTime, 0.0);
   internal.FrameTime = now;
-  // Time goes back where a film begins again.
-  internal.SolutionTime = std::min(internal.SolutionTime, now);
-  if (internal.Fading && gpu.Opacities.HasSolved())
+  if (gpu.Opacities.IsFading())
   {
-    const bool arrives = now - internal.SolutionTime >= FadeTimesToTheEnd * this->FadeTime;
-    const double share = arrives ? 1.0 : 1.0 - std::exp(-seconds / this->FadeTime);
     vtkStageTimers::Scope stage(gpu.Timers, "fade");
-    gpu.Opacities.Fade(internal.Window, share);
-    internal.Fading = !arrives;
-  }
-  if (!gpu.HasSolved)
-  {
-    internal.SolutionTime = now;
-    internal.Fading = gpu.Opacities.HasSolved();
+    gpu.Opacities.Fade(internal.Window, 1.0 - std::exp(-seconds / this->FadeTime));
   }
 }
 
@@ -571,8 +577,17 @@ void vtkExactTransparencyPass::SmoothOpacities()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  vtkStageTimers::Scope stage(gpu.Timers, "smooth");
-  gpu.Opacities.Smooth(internal.Window, internal.Scene.GetSmoothingIterations());
+  {
+    vtkStageTimers::Scope stage(gpu.Timers, "solve");
+    gpu.Opacities.TakeLeast(internal.Window);
+  }
+  if (const int iterations = internal.Scene.GetSmoothingIterations())
+  {
+    vtkStageTimers::Scope stage(gpu.Timers, "smooth");
+    gpu.Opacities.Smooth(internal.Window, iterations);
+  }
+  vtkStageTimers::Scope stage(gpu.Timers, "solve");
+  gpu.Opacities.Show(internal.Window);
 }
 
 //------------------------------------------------------------------------------

@@ -153,8 +153,9 @@ public:
    * Seconds in which optimised opacities come nearer to those of a new view, or new parameters, by
    * a factor of e, whatever the frame rate; at least 0. At 0, the default, each frame shows its own
    * opacities at once, as batch jobs and screenshots want it. Otherwise
-   * vtkTransparencyStatistics::GetFading() tells whether it takes more frames to get there; after 8
-   * times this without a change the opacities are the very same.
+   * vtkTransparencyStatistics::GetFading() tells whether it takes more frames to get there, which
+   * is after 8 times this at most; the opacities are then the very same. Other data, and actors
+   * that come or go, have theirs at once.
    */
   vtkSetClampMacro(FadeTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FadeTime, double);

@@ -33,7 +33,8 @@ public:
 
   /**
    * Find the opacities of an actor so from the next frame on; null ends it. The actor is drawn as a
-   * translucent one for that time (vtkActor::ForceTranslucentOn()).
+   * translucent one for that time: vtkActor::SetForceTranslucent() is set to on, and to off when it
+   * ends. Parts of a vtkAssembly cannot have it: VTK gives them the keys of the assembly.
    */
   static void Attach(vtkActor* actor, vtkImportanceDrivenOpacity* parameters);
 

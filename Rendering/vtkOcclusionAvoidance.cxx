@@ -19,7 +19,7 @@ void vtkOcclusionAvoidance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverageWeight: " << this->CoverageWeight << "\n";
   os << indent << "DirectionalVarianceWeight: " << this->DirectionalVarianceWeight << "\n";
   os << indent << "DepthWeight: " << this->DepthWeight << "\n";
-  os << indent << "Emphasis: " << this->Emphasis << "\n";
+  os << indent << "ImportanceExponent: " << this->ImportanceExponent << "\n";
   os << indent << "GlobalOpacity: " << this->GlobalOpacity << "\n";
   os << indent << "SmoothAttributes: " << this->SmoothAttributes << "\n";
 }

@@ -88,10 +88,10 @@ public:
   ///@}
 
   ///@{
-  /** lambda, in [0.01, 100]: exponent of a fragment's own importance in mode Weighting. Default is
-   * 1. */
-  vtkSetClampMacro(Emphasis, double, 0.01, 100.0);
-  vtkGetMacro(Emphasis, double);
+  /** lambda, in [0.01, 100]: exponent of a fragment's own importance in mode Weighting; the greater
+   * it is, the more of what is of medium importance fades. Default is 1. */
+  vtkSetClampMacro(ImportanceExponent, double, 0.01, 100.0);
+  vtkGetMacro(ImportanceExponent, double);
   ///@}
 
   ///@{
@@ -125,7 +125,7 @@ private:
   double CoverageWeight = 0.02;
   double DirectionalVarianceWeight = 0.5;
   double DepthWeight = 10.0;
-  double Emphasis = 1.0;
+  double ImportanceExponent = 1.0;
   double GlobalOpacity = 1.0;
   bool SmoothAttributes = false;
 };

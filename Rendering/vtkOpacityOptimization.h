@@ -65,7 +65,7 @@ public:
    * q, at least 0: fades what lies in front of something important. Default is 400. Published
    * settings are 50 to 1000.
    */
-  vtkSetClampMacro(OcclusionWeight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(OcclusionWeight, double, 0.0, VTK_FLOAT_MAX);
   vtkGetMacro(OcclusionWeight, double);
   ///@}
 
@@ -74,7 +74,7 @@ public:
    * r, at least 0: fades what clutters the background of something important. Default is 50.
    * Published settings are 10 to 400.
    */
-  vtkSetClampMacro(ClutterWeight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(ClutterWeight, double, 0.0, VTK_FLOAT_MAX);
   vtkGetMacro(ClutterWeight, double);
   ///@}
 

@@ -179,7 +179,7 @@ vtkSmartPointer<vtkImportanceDrivenOpacity> MakeAvoidance(const OpacityOptions& 
   SetIfGiven(parameters.Get(), &Parameters::SetCoverageWeight, options.CoverageWeight);
   SetIfGiven(parameters.Get(), &Parameters::SetDirectionalVarianceWeight, options.VarianceWeight);
   SetIfGiven(parameters.Get(), &Parameters::SetDepthWeight, options.DepthWeight);
-  SetIfGiven(parameters.Get(), &Parameters::SetEmphasis, options.Emphasis);
+  SetIfGiven(parameters.Get(), &Parameters::SetImportanceExponent, options.Emphasis);
   SetIfGiven(parameters.Get(), &Parameters::SetGlobalOpacity, options.GlobalOpacity);
   parameters->SetSmoothAttributes(options.SmoothAttributes);
   return parameters;

@@ -104,7 +104,8 @@ void SolveOpacities(const std::vector<OpacityFragment<Real>>& list, std::vector<
       const auto& parameters = *list[i].parameters;
       const Real unimportance = 1 - ClampImportance(list[i].importance);
       const Real weight = std::pow(unimportance, 2 * parameters.lambda);
-      opacities[i] = 1 / (1 + weight * (parameters.r * inFront + parameters.q * opacities[i]));
+      const Real energy = parameters.r * inFront + parameters.q * opacities[i];
+      opacities[i] = weight > 0 ? 1 / (1 + weight * energy) : Real(1);
       inFront += square(i);
     }
   }

@@ -93,14 +93,15 @@ void vtkFragmentGather::DrawProps(const vtkRenderState* state, const vtkPixelRec
 //------------------------------------------------------------------------------
 bool vtkFragmentGather::NeedsImportance(vtkAbstractMapper* mapper) const
 {
-  return this->StoresImportance && !vtkRoundedConeMapper::SafeDownCast(mapper) &&
-    this->Scene->Find(this->Prop);
+  return this->StoresImportance && !vtkRoundedConeMapper::SafeDownCast(mapper);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentGather::EditVertexShader(std::string& vertexShader, vtkAbstractMapper* mapper) const
 {
-  if (this->NeedsImportance(mapper))
+  // Mappers of composite data and glyphs come twice.
+  const bool isEdited = vertexShader.find("pellucidPassImportance") != std::string::npos;
+  if (this->NeedsImportance(mapper) && !isEdited)
   {
     vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Dec",
       std::string(vtkSurfaceImportanceVS) + "//VTK::PositionVC::Dec", false);
@@ -141,13 +142,13 @@ void vtkFragmentGather::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   vtkFragmentStages::SetTile(program, this->Tile);
   this->Opaque->SetUniforms(program);
   program->SetUniformi("pellucidNodeCapacity", static_cast<int>(this->Lists->GetNodeCapacity()));
-  const vtkOptimizedScene::Member* member =
-    this->StoresImportance ? this->Scene->Find(this->Prop) : nullptr;
-  if (member && program->IsUniformUsed("pellucidFirstSegment"))
+  if (program->IsUniformUsed("pellucidFirstSegment"))
   {
-    const vtkOptimizedScene::Part& part = member->FindPart(mapper);
+    const vtkOptimizedScene::Member* member = this->Scene->Find(this->Prop);
+    const vtkOptimizedScene::Part part =
+      member ? member->FindPart(mapper) : vtkOptimizedScene::Part();
     program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
-    program->SetUniformi("pellucidAvoids", member->Avoids ? 1 : 0);
+    program->SetUniformi("pellucidAvoids", member && member->Avoids ? 1 : 0);
     program->SetUniformi(
       "pellucidFirstCorner", part.HasCorners ? static_cast<int>(part.FirstCorner) : -1);
     program->SetUniformi("pellucidFirstCornerOpacity",

@@ -59,7 +59,8 @@ public:
   ///@}
 
 private:
-  /** Whether a mapper is of an actor with importance that it does not bring itself. */
+  /** Whether a mapper's fragments get importances from us. Of actors without importance too: they
+   * may share the mapper. */
   bool NeedsImportance(vtkAbstractMapper* mapper) const;
 
   int Samples = 0;

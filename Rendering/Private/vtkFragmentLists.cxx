@@ -5,12 +5,12 @@
 
 #include "vtkLongFragmentList.h"
 #include "vtkSMPTools.h"
+#include "vtkShaderDefinitions.h"
 #include "vtkStorageBuffer.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -69,25 +69,23 @@ private:
 //------------------------------------------------------------------------------
 std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImportance)
 {
-  std::ostringstream definitions;
-  const auto define = [&definitions](const char* name, auto value)
-  { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
-  define("HEADS_BINDING", static_cast<int>(Heads));
-  define("LINKS_BINDING", static_cast<int>(Links));
-  define("COLORS_BINDING", static_cast<int>(Colors));
-  define("LONG_LISTS_BINDING", static_cast<int>(LongLists));
-  define("IMPORTANCES_BINDING", static_cast<int>(Importances));
-  define("POSITIONS_BINDING", static_cast<int>(Positions));
-  define("OPTIMIZE", storesImportance ? 1 : 0);
-  define("SAMPLES", samples);
-  define("MAXIMUM_SHADER_LIST", MaximumShaderList);
+  vtkShaderDefinitions definitions;
+  definitions.Define("HEADS_BINDING", static_cast<int>(Heads));
+  definitions.Define("LINKS_BINDING", static_cast<int>(Links));
+  definitions.Define("COLORS_BINDING", static_cast<int>(Colors));
+  definitions.Define("LONG_LISTS_BINDING", static_cast<int>(LongLists));
+  definitions.Define("IMPORTANCES_BINDING", static_cast<int>(Importances));
+  definitions.Define("POSITIONS_BINDING", static_cast<int>(Positions));
+  definitions.Define("OPTIMIZE", storesImportance ? 1 : 0);
+  definitions.Define("SAMPLES", samples);
+  definitions.Define("MAXIMUM_SHADER_LIST", MaximumShaderList);
   // The sort takes up to one run more before it leaves a list to the CPU.
-  define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
-  define("COLLAPSED", std::to_string(CollapsedBit) + "u");
-  define("RUN_LENGTH", RunLength);
-  define("LIST_LEVELS", GetNumberOfListLevels());
-  define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
-  return definitions.str();
+  definitions.Define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
+  definitions.Define("COLLAPSED", CollapsedBit);
+  definitions.Define("RUN_LENGTH", RunLength);
+  definitions.Define("LIST_LEVELS", GetNumberOfListLevels());
+  definitions.Define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
+  return definitions.GetText();
 }
 
 //------------------------------------------------------------------------------

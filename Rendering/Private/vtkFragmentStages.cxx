@@ -21,10 +21,9 @@
 #include "vtkPowerDec.h"
 #include "vtkSegmentOpacities.h"
 #include "vtkSegmentTablesDec.h"
+#include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
 #include "vtkTangentDec.h"
-
-#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -34,17 +33,15 @@ namespace
 std::string GetViewDefinitions(const vtkPictureView& view)
 {
   using Pass = vtkExactTransparencyPass;
-  std::ostringstream definitions;
-  const auto define = [&definitions](const char* name, int value)
-  { definitions << "#define PELLUCID_VIEW" << name << " " << value << "\n"; };
-  define("", view.Kind);
-  define("_OPACITY", Pass::VIEW_OPACITY);
-  define("_IMPORTANCE", Pass::VIEW_IMPORTANCE);
-  define("_SEGMENTS", Pass::VIEW_SEGMENTS);
-  define("_LENGTH", Pass::VIEW_LENGTH);
-  define("_FIRST_LAYERS", Pass::VIEW_FIRST_LAYERS);
-  define("_LAYER", Pass::VIEW_LAYER);
-  return definitions.str();
+  vtkShaderDefinitions definitions;
+  definitions.Define("VIEW", view.Kind);
+  definitions.Define("VIEW_OPACITY", static_cast<int>(Pass::VIEW_OPACITY));
+  definitions.Define("VIEW_IMPORTANCE", static_cast<int>(Pass::VIEW_IMPORTANCE));
+  definitions.Define("VIEW_SEGMENTS", static_cast<int>(Pass::VIEW_SEGMENTS));
+  definitions.Define("VIEW_LENGTH", static_cast<int>(Pass::VIEW_LENGTH));
+  definitions.Define("VIEW_FIRST_LAYERS", static_cast<int>(Pass::VIEW_FIRST_LAYERS));
+  definitions.Define("VIEW_LAYER", static_cast<int>(Pass::VIEW_LAYER));
+  return definitions.GetText();
 }
 }
 
@@ -108,23 +105,27 @@ void vtkFragmentStages::Solve(
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentStages::FindAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
+void vtkFragmentStages::DrawAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPixelAttributes& attributes)
 {
-  this->Draw(window, opaque, tile, vtkPixelAttributesFS,
+  this->Draw(window, opaque, tile, fragmentShader,
     vtkPixelAttributes::GetShaderDefinitions(attributes.Smooths()),
     [&attributes](vtkShaderProgram* program) { attributes.SetUniforms(program); });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 //------------------------------------------------------------------------------
+void vtkFragmentStages::FindAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
+{
+  this->DrawAttributes(window, opaque, tile, vtkPixelAttributesFS, attributes);
+}
+
+//------------------------------------------------------------------------------
 void vtkFragmentStages::Avoid(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
   const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
 {
-  this->Draw(window, opaque, tile, vtkFragmentAvoidFS,
-    vtkPixelAttributes::GetShaderDefinitions(attributes.Smooths()),
-    [&attributes](vtkShaderProgram* program) { attributes.SetUniforms(program); });
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->DrawAttributes(window, opaque, tile, vtkFragmentAvoidFS, attributes);
 }
 
 //------------------------------------------------------------------------------

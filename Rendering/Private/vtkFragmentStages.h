@@ -76,6 +76,10 @@ private:
     const std::string& moreDefinitions = std::string(),
     const std::function<void(vtkShaderProgram*)>& setMoreUniforms = {});
 
+  void DrawAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const vtkPixelAttributes& attributes);
+
   bool StoresImportance = false;
   vtkStageDraw Stage;
 };

@@ -28,10 +28,12 @@ constexpr vtkIdType LeastPixelsForMemory = 4096;
 //------------------------------------------------------------------------------
 void vtkFragmentSweep::Begin(const Frame& frame, bool isSame)
 {
+  // Nodes of another size would be as many as before.
+  const bool isOtherFormat = this->Current.StoresImportance != frame.StoresImportance;
   this->Current = frame;
   this->Gathers = 0;
   this->HasAll = this->HasAll && isSame;
-  if (this->Lists.GetBytes() > frame.LimitBytes)
+  if (isOtherFormat || this->Lists.GetBytes() > frame.LimitBytes)
   {
     this->Lists.Release();
     this->HasAll = false;

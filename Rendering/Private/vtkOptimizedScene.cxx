@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRoundedConeMapper.h"
 #include "vtkTrajectoryMapper.h"
 
 #include <algorithm>
@@ -51,6 +52,15 @@ vtkDataArray* GetSurfaceNeighbors(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
+// The helpers of VTK's mappers of composite data, and of glyphs, get no vertex attributes.
+bool BringsImportance(vtkMapper* mapper)
+{
+  return vtkTrajectoryMapper::SafeDownCast(mapper) ||
+    (vtkPolyDataMapper::SafeDownCast(mapper) &&
+      vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)));
+}
+
+//------------------------------------------------------------------------------
 float ToFloat(double value)
 {
   return static_cast<float>(std::min<double>(value, std::numeric_limits<float>::max()));
@@ -82,7 +92,7 @@ vtkOptimizedScene::Parameters MakeParameters(vtkImportanceDrivenOpacity* setting
     actor.CoverageWeight = ToFloat(avoidance->GetCoverageWeight());
     actor.VarianceWeight = ToFloat(avoidance->GetDirectionalVarianceWeight());
     actor.DepthWeight = ToFloat(avoidance->GetDepthWeight());
-    actor.Lambda = ToFloat(avoidance->GetEmphasis());
+    actor.Lambda = ToFloat(avoidance->GetImportanceExponent());
     actor.GlobalOpacity = ToFloat(avoidance->GetGlobalOpacity());
   }
   return actor;
@@ -112,13 +122,19 @@ bool vtkOptimizedScene::Source::HasSegmentsOf(const Source& other) const
 vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>& props)
 {
   std::vector<Source> sources;
+  std::set<std::string> unsupported;
   for (vtkProp* prop : props)
   {
     vtkImportanceDrivenOpacity* settings = vtkImportanceDrivenOpacity::Get(prop);
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!settings || !actor || !actor->GetMapper() ||
+    if (!settings || !actor || !prop->GetVisibility() || !actor->GetMapper() ||
       actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
     {
+      continue;
+    }
+    if (!BringsImportance(actor->GetMapper()))
+    {
+      unsupported.insert(actor->GetMapper()->GetClassName());
       continue;
     }
     actor->GetMapper()->Update();
@@ -143,6 +159,7 @@ vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>&
       [](const Source& source, const Source& before)
       { return source.Settings == before.Settings && source.SettingsTime == before.SettingsTime; });
   this->Sources = std::move(sources);
+  this->UnsupportedMappers.Set(unsupported);
   if (!sameSegments)
   {
     this->ClearSegments();
@@ -167,22 +184,22 @@ void vtkOptimizedScene::ClearSegments()
   this->FirstNeighbors.assign(1, 0);
   this->Neighbors.clear();
   this->Corners.clear();
-  this->ToldArrays.clear();
 }
 
 //------------------------------------------------------------------------------
 void vtkOptimizedScene::AddSettings()
 {
   this->ActorParameters.assign(1, Parameters());
-  this->MissingArrays.clear();
+  std::set<std::string> missing;
   this->FirstImportance.reset();
   this->ImportancesDiffer = false;
   for (const Source& source : this->Sources)
   {
     this->ActorParameters.push_back(MakeParameters(source.Settings));
     this->Members[source.Prop].Settings = source.Settings;
-    this->AddImportances(source);
+    this->AddImportances(source, missing);
   }
+  this->MissingArrays.Set(missing);
 }
 
 //------------------------------------------------------------------------------
@@ -340,7 +357,7 @@ void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
 }
 
 //------------------------------------------------------------------------------
-void vtkOptimizedScene::AddImportances(const Source& source)
+void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::string>& missing)
 {
   const char* name = source.Settings->GetImportanceArray();
   for (vtkPolyData* leaf : source.Leaves)
@@ -352,7 +369,7 @@ void vtkOptimizedScene::AddImportances(const Source& source)
     }
     if (!array)
     {
-      this->MissingArrays.insert(name ? name : "");
+      missing.insert(name ? name : "");
     }
     const vtkIdType points = source.Optimizes ? leaf->GetNumberOfPoints() : 0;
     for (vtkIdType point = 0; point < points && !this->ImportancesDiffer; ++point)
@@ -395,13 +412,17 @@ const vtkOptimizedScene::Member* vtkOptimizedScene::Find(vtkProp* prop) const
 }
 
 //------------------------------------------------------------------------------
-const vtkOptimizedScene::Part& vtkOptimizedScene::Member::FindPart(vtkAbstractMapper* mapper) const
+vtkOptimizedScene::Part vtkOptimizedScene::Member::FindPart(vtkAbstractMapper* mapper) const
 {
+  if (vtkRoundedConeMapper::SafeDownCast(mapper))
+  {
+    return this->Parts.front(); // it counts segments through all parts
+  }
   auto* drawing = vtkPolyDataMapper::SafeDownCast(mapper);
   vtkPolyData* data = drawing ? drawing->GetInput() : nullptr;
   const auto part = std::find_if(this->Parts.begin(), this->Parts.end(),
     [data](const Part& candidate) { return candidate.Data == data; });
-  return part == this->Parts.end() ? this->Parts.front() : *part;
+  return part == this->Parts.end() ? Part() : *part;
 }
 
 //------------------------------------------------------------------------------
@@ -423,12 +444,23 @@ void vtkOptimizedScene::MapImportances()
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkOptimizedScene::TakeMissingArrays()
+void vtkOptimizedScene::Complaints::Set(const std::set<std::string>& names)
+{
+  this->Names = names;
+  // What is gone may be told again when it comes back.
+  std::set<std::string> told;
+  std::set_intersection(names.begin(), names.end(), this->Told.begin(), this->Told.end(),
+    std::inserter(told, told.end()));
+  this->Told = told;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkOptimizedScene::Complaints::Take()
 {
   std::vector<std::string> news;
-  std::set_difference(this->MissingArrays.begin(), this->MissingArrays.end(),
-    this->ToldArrays.begin(), this->ToldArrays.end(), std::back_inserter(news));
-  this->ToldArrays.insert(news.begin(), news.end());
+  std::set_difference(this->Names.begin(), this->Names.end(), this->Told.begin(), this->Told.end(),
+    std::back_inserter(news));
+  this->Told = this->Names;
   return news;
 }
 

@@ -84,8 +84,8 @@ public:
     std::vector<Part> Parts; ///< one at least
     std::string MappedArray; ///< that VTK's mapper brings to the graphics memory
 
-    /** What that mapper draws. */
-    const Part& FindPart(vtkAbstractMapper* mapper) const;
+    /** What that mapper draws; where that is unknown, number 0, what takes no part. */
+    Part FindPart(vtkAbstractMapper* mapper) const;
   };
 
   /** Segments of a corner, nearest first, and their shares in its opacity. */
@@ -103,7 +103,7 @@ public:
     Segments  ///< all
   };
 
-  /** Take the actors among the props. Returns what is not as it was before. */
+  /** Take the actors among the props that are visible. Returns what is not as it was before. */
   Change Update(const std::vector<vtkProp*>& props);
 
   /**
@@ -144,8 +144,12 @@ public:
    * do so already are not touched: it makes them upload all data anew. */
   void MapImportances();
 
-  /** Importance arrays that the data of an actor lacks; each is told once, until data change. */
-  std::vector<std::string> TakeMissingArrays();
+  ///@{
+  /** Importance arrays that the data of an actor lacks, and classes of mappers that cannot bring
+   * importances; each is told once, as long as it is so. */
+  std::vector<std::string> TakeMissingArrays() { return this->MissingArrays.Take(); }
+  std::vector<std::string> TakeUnsupportedMappers() { return this->UnsupportedMappers.Take(); }
+  ///@}
 
   /** Whether the arrays of vtkTrajectorySegments are there. */
   static bool HasLineSegments(vtkPolyData* data);
@@ -168,6 +172,18 @@ private:
     bool HasSegmentsOf(const Source& other) const;
   };
 
+  /** Names that are told once. */
+  class Complaints
+  {
+  public:
+    void Set(const std::set<std::string>& names);
+    std::vector<std::string> Take();
+
+  private:
+    std::set<std::string> Names;
+    std::set<std::string> Told;
+  };
+
   void ClearSegments();
   void AddSettings();
   void AddActor(const Source& source);
@@ -176,7 +192,7 @@ private:
   void AddLineNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddSurfaceNeighbors(vtkPolyData* data, std::uint32_t count, std::uint32_t first);
   void AddCorners(vtkPolyData* data, Part& part);
-  void AddImportances(const Source& source);
+  void AddImportances(const Source& source, std::set<std::string>& missing);
 
   std::vector<Source> Sources;
   std::map<vtkProp*, Member> Members;
@@ -185,8 +201,8 @@ private:
   std::vector<std::uint32_t> FirstNeighbors;
   std::vector<std::uint32_t> Neighbors;
   std::vector<Corner> Corners;
-  std::set<std::string> MissingArrays;
-  std::set<std::string> ToldArrays;
+  Complaints MissingArrays;
+  Complaints UnsupportedMappers;
 
   // Of the points of the actors whose opacities are optimised.
   std::optional<double> FirstImportance;

@@ -7,10 +7,9 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOptimizedScene.h"
 #include "vtkRenderer.h"
+#include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
 #include "vtkStorageBuffer.h"
-
-#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -30,15 +29,15 @@ constexpr GLuint AttributesBinding = 3;
 //------------------------------------------------------------------------------
 std::string vtkPixelAttributes::GetShaderDefinitions(bool smooths)
 {
-  std::ostringstream definitions;
-  const auto define = [&definitions](const char* name, const std::string& value)
-  { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
-  define("ATTRIBUTES_BINDING", std::to_string(AttributesBinding));
-  define("SMOOTH_ATTRIBUTES", smooths ? "1" : "0");
-  define("IMPORTANCE_TOLERANCE", std::to_string(pellucid::ImportanceTolerance));
-  define("AVOIDS_BY_WEIGHTING", std::to_string(vtkOptimizedScene::AvoidsByWeighting) + "u");
-  define("SMOOTHS_ATTRIBUTES", std::to_string(vtkOptimizedScene::SmoothsAttributes) + "u");
-  return definitions.str();
+  vtkShaderDefinitions definitions;
+  definitions.Define("ATTRIBUTES_BINDING", static_cast<int>(AttributesBinding));
+  definitions.Define("SMOOTH_ATTRIBUTES", smooths ? 1 : 0);
+  definitions.Define("IMPORTANCE_TOLERANCE", pellucid::ImportanceTolerance);
+  definitions.Define(
+    "AVOIDS_BY_WEIGHTING", static_cast<std::uint32_t>(vtkOptimizedScene::AvoidsByWeighting));
+  definitions.Define(
+    "SMOOTHS_ATTRIBUTES", static_cast<std::uint32_t>(vtkOptimizedScene::SmoothsAttributes));
+  return definitions.GetText();
 }
 
 //------------------------------------------------------------------------------

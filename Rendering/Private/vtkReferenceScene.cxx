@@ -80,7 +80,7 @@ pellucid::OcclusionAvoidance<double> ToParameters(vtkOcclusionAvoidance* source)
   avoidance.coverageWeight = source->GetCoverageWeight();
   avoidance.varianceWeight = source->GetDirectionalVarianceWeight();
   avoidance.depthWeight = source->GetDepthWeight();
-  avoidance.lambda = source->GetEmphasis();
+  avoidance.lambda = source->GetImportanceExponent();
   avoidance.globalOpacity = source->GetGlobalOpacity();
   avoidance.smoothAttributes = source->GetSmoothAttributes();
   return avoidance;

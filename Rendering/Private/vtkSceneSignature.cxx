@@ -20,9 +20,12 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkUniforms.h"
 #include "vtkVolume.h"
 
+#include <array>
 #include <cstring>
+#include <initializer_list>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -66,6 +69,7 @@ void vtkSceneSignature::AddView(vtkRenderer* renderer)
   this->Numbers.insert(this->Numbers.end(), renderer->GetAmbient(), renderer->GetAmbient() + 3);
   this->Numbers.push_back(renderer->GetTwoSidedLighting());
   this->Numbers.push_back(renderer->GetUseHiddenLineRemoval());
+  this->AddCoincidentTopology();
   vtkCamera* camera = renderer->GetActiveCamera();
   this->AddMatrix(camera->GetModelViewTransformMatrix());
   this->AddMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
@@ -76,6 +80,18 @@ void vtkSceneSignature::AddView(vtkRenderer* renderer)
   {
     this->AddObject(light);
   }
+}
+
+//------------------------------------------------------------------------------
+// Of all mappers; their own are in their times.
+void vtkSceneSignature::AddCoincidentTopology()
+{
+  this->Numbers.push_back(vtkMapper::GetResolveCoincidentTopology());
+  std::array<double, 5> offsets{};
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(offsets[0], offsets[1]);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(offsets[2], offsets[3]);
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(offsets[4]);
+  this->Numbers.insert(this->Numbers.end(), offsets.begin(), offsets.end());
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +121,13 @@ bool vtkSceneSignature::AddActor(vtkActor* actor)
   this->AddObject(actor);
   actor->ComputeMatrix();
   this->AddMatrix(actor->GetMatrix());
-  this->AddObject(actor->GetShaderProperty());
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  for (vtkObject* object :
+    std::initializer_list<vtkObject*>{ shader, shader->GetVertexCustomUniforms(),
+      shader->GetGeometryCustomUniforms(), shader->GetFragmentCustomUniforms() })
+  {
+    this->AddObject(object);
+  }
   this->AddObject(mapper);
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   this->AddObject(input);

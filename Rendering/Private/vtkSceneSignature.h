@@ -43,6 +43,7 @@ private:
   void AddObject(vtkObject* object);
   void AddMatrix(vtkMatrix4x4* matrix);
   void AddView(vtkRenderer* renderer);
+  void AddCoincidentTopology();
   bool AddProp(vtkProp* prop);
   bool AddActor(vtkActor* actor);
 

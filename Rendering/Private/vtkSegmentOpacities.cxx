@@ -10,13 +10,14 @@
 #include "vtkSegmentFadeFS.h"
 #include "vtkSegmentSmoothFS.h"
 #include "vtkSegmentTablesDec.h"
+#include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
 #include "vtkStorageBuffer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ constexpr GLuint NeighborsBinding = 1;
 constexpr GLuint SourceBinding = 2;
 constexpr GLuint TargetBinding = 3;
 constexpr GLuint CornersBinding = 7;
+constexpr GLuint PendingBinding = 0;
 
 constexpr std::uint32_t Unseen = 0xffffffffu;
 constexpr std::uint32_t TriangleBit = 0x80000000u;
@@ -44,32 +46,35 @@ constexpr std::uint32_t FactorBit = 0x40000000u;
 // neighbours would be exchanged; 1/2 gives the binomial weights 1/4, 1/2, 1/4 on a line.
 constexpr double Relaxation = 0.5;
 
-// Invocations in a row of the framebuffer.
-constexpr int RowLength = 2048;
+// Invocations in a row of the framebuffer, which OpenGL lets be 16384 wide and high at least.
+constexpr int RowLength = 8192;
+
+// What opacities have left of their way when all jump to its end: 1/3000.
+const double NegligibleWay = std::exp(-8.0);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkSegmentOpacities::GetShaderDefinitions()
 {
-  std::ostringstream definitions;
-  const auto define = [&definitions](const char* name, auto value)
-  { definitions << "#define PELLUCID_" << name << " " << value << "\n"; };
-  define("SEGMENTS_BINDING", SegmentsBinding);
-  define("ACTORS_BINDING", ActorsBinding);
-  define("GATHER_CORNERS_BINDING", GatherCornersBinding);
-  define("OPACITIES_BINDING", OpacitiesBinding);
-  define("FIRST_NEIGHBORS_BINDING", FirstNeighborsBinding);
-  define("NEIGHBORS_BINDING", NeighborsBinding);
-  define("SOURCE_BINDING", SourceBinding);
-  define("TARGET_BINDING", TargetBinding);
-  define("CORNERS_BINDING", CornersBinding);
-  define("UNSEEN", std::to_string(Unseen) + "u");
-  define("RELAXATION", Relaxation);
-  define("TRIANGLE", std::to_string(TriangleBit) + "u");
-  define("HAS_FACTOR", std::to_string(FactorBit) + "u");
-  define("FACTOR_OF_ONE", std::to_string(FactorBit | 0x3f800000u) + "u");
-  define("AVOIDING", std::to_string(AvoidingBit) + "u");
-  return definitions.str();
+  vtkShaderDefinitions definitions;
+  definitions.Define("SEGMENTS_BINDING", static_cast<int>(SegmentsBinding));
+  definitions.Define("ACTORS_BINDING", static_cast<int>(ActorsBinding));
+  definitions.Define("GATHER_CORNERS_BINDING", static_cast<int>(GatherCornersBinding));
+  definitions.Define("OPACITIES_BINDING", static_cast<int>(OpacitiesBinding));
+  definitions.Define("FIRST_NEIGHBORS_BINDING", static_cast<int>(FirstNeighborsBinding));
+  definitions.Define("NEIGHBORS_BINDING", static_cast<int>(NeighborsBinding));
+  definitions.Define("SOURCE_BINDING", static_cast<int>(SourceBinding));
+  definitions.Define("TARGET_BINDING", static_cast<int>(TargetBinding));
+  definitions.Define("CORNERS_BINDING", static_cast<int>(CornersBinding));
+  definitions.Define("PENDING_BINDING", static_cast<int>(PendingBinding));
+  definitions.Define("UNSEEN", Unseen);
+  definitions.Define("RELAXATION", Relaxation);
+  definitions.Define("NEGLIGIBLE_WAY", NegligibleWay);
+  definitions.Define("TRIANGLE", TriangleBit);
+  definitions.Define("HAS_FACTOR", FactorBit);
+  definitions.Define("FACTOR_OF_ONE", FactorBit | 0x3f800000u);
+  definitions.Define("AVOIDING", AvoidingBit);
+  return definitions.GetText();
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +149,20 @@ void vtkSegmentOpacities::Unbind()
 }
 
 //------------------------------------------------------------------------------
+void vtkSegmentOpacities::TakeLeast(vtkOpenGLRenderWindow* window)
+{
+  this->DrawIterations(window, 0, 0);
+  this->HasSolution = true;
+}
+
+//------------------------------------------------------------------------------
 void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
+{
+  this->DrawIterations(window, 1, iterations);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::DrawIterations(vtkOpenGLRenderWindow* window, int first, int last)
 {
   this->DrawOffScreen(window,
     [&]
@@ -154,7 +172,7 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
       { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Handles[buffer]); };
       bind(FirstNeighborsBinding, FirstNeighbors);
       bind(NeighborsBinding, Neighbors);
-      for (int iteration = 0; iteration <= iterations; ++iteration)
+      for (int iteration = first; iteration <= last; ++iteration)
       {
         bind(SourceBinding, Source);
         bind(TargetBinding, Target);
@@ -163,7 +181,11 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
         std::swap(this->Handles[Source], this->Handles[Target]);
       }
     });
-  this->HasSolution = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Show(vtkOpenGLRenderWindow* window)
+{
   if (this->Shown == Faded)
   {
     this->Fade(window, 0.0);
@@ -175,30 +197,45 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
 }
 
 //------------------------------------------------------------------------------
+void vtkSegmentOpacities::Forget()
+{
+  this->Shown = Source;
+  this->HasSolution = false;
+  this->Fill(Source, -1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::Fill(Buffer buffer, float value)
+{
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handles[buffer]);
+  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32F, GL_RED, GL_FLOAT, &value);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
 bool vtkSegmentOpacities::StartFading()
 {
   if (this->Shown == Faded)
   {
     return true;
   }
-  if (!this->Allocate(Faded, this->Bytes[Source], nullptr))
+  if (!this->Allocate(Faded, this->Bytes[Source], nullptr) ||
+    !this->Allocate(Pending, sizeof(std::uint32_t), nullptr))
   {
     return false;
   }
   this->Shown = Faded;
+  this->HasWayLeft = false;
+  if (!this->HasSolution)
+  {
+    this->Fill(Faded, -1.0f);
+    return true;
+  }
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_COPY_READ_BUFFER, this->Handles[Source]);
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handles[Faded]);
-  if (this->HasSolution)
-  {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-      static_cast<GLsizeiptr>(this->Bytes[Source]));
-  }
-  else
-  {
-    const float unseen = -1.0f;
-    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32F, GL_RED, GL_FLOAT, &unseen);
-  }
+  glCopyBufferSubData(
+    GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(this->Bytes[Source]));
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
   return true;
@@ -216,8 +253,27 @@ bool vtkSegmentOpacities::StopFading()
 //------------------------------------------------------------------------------
 void vtkSegmentOpacities::Fade(vtkOpenGLRenderWindow* window, double share)
 {
+  this->Fill(Pending, 0.0f);
+  this->DrawFade(window, share);
+  std::uint32_t pending = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Pending]);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(pending), &pending);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  this->HasWayLeft = pending != 0;
+  if (!this->HasWayLeft)
+  {
+    this->DrawFade(window, 1.0);
+  }
+  this->InterpolateCorners(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkSegmentOpacities::DrawFade(vtkOpenGLRenderWindow* window, double share)
+{
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SourceBinding, this->Handles[Source]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Faded]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, PendingBinding, this->Handles[Pending]);
   this->DrawOffScreen(window,
     [&]
     {
@@ -225,7 +281,6 @@ void vtkSegmentOpacities::Fade(vtkOpenGLRenderWindow* window, double share)
         [share](vtkShaderProgram* program)
         { program->SetUniformf("share", static_cast<float>(share)); });
     });
-  this->InterpolateCorners(window);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
  * | Corners        | 8 words | vtkOptimizedScene::Corner                                       |
  * | Source, Target | float   | opacity of each segment, then of each corner; negative: unknown |
  * | Faded          | float   | the same, on its way to Source; where opacities fade            |
+ * | Pending        | uint    | 1 where any of these is not there yet                           |
  *
  * A current OpenGL 4.3 context is needed by every function but the static ones.
  */
@@ -69,11 +70,18 @@ public:
   void BindTables() const;
   ///@}
 
+  ///@{
   /**
-   * Take the least opacities of the fragments, which are forgotten for the next frame, smooth them
-   * so many times, and interpolate at the corners.
+   * From fragments to what the resolve looks up: take the least opacities of the fragments, which
+   * are forgotten for the next time; smooth them so many times; and show them, also at corners.
    */
+  void TakeLeast(vtkOpenGLRenderWindow* window);
   void Smooth(vtkOpenGLRenderWindow* window, int iterations);
+  void Show(vtkOpenGLRenderWindow* window);
+  ///@}
+
+  /** Show no opacities: all are as if not seen. */
+  void Forget();
 
   /**
    * Let what is shown from now on, until StopFading(), follow the smoothed opacities only as Fade()
@@ -84,11 +92,12 @@ public:
   bool StartFading();
   bool StopFading();
 
-  /** Move what is shown by this share, in [0,1], of the way towards the smoothed opacities. */
+  /** Move what is shown by this share, in [0,1], of the way towards the smoothed opacities. When
+   * all have come within 1/3000, they are there. */
   void Fade(vtkOpenGLRenderWindow* window, double share);
 
-  /** Whether Smooth() has run for these segments. */
-  bool HasSolved() const { return this->HasSolution; }
+  /** Whether some of what is shown is still on its way. */
+  bool IsFading() const { return this->Shown == Faded && this->HasWayLeft; }
 
   /** Lower the least opacities of segments to these; between the solve and Smooth(). */
   void Lower(const std::vector<SegmentOpacity>& opacities);
@@ -117,13 +126,17 @@ private:
     Source,
     Target,
     Faded,
+    Pending,
     NumberOfBuffers
   };
 
   bool Allocate(Buffer buffer, vtkIdType bytes, const void* data);
   template <typename Table>
   bool Put(Buffer buffer, const Table& table);
+  void Fill(Buffer buffer, float value);
   void DrawOffScreen(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
+  void DrawFade(vtkOpenGLRenderWindow* window, double share);
+  void DrawIterations(vtkOpenGLRenderWindow* window, int first, int last);
   void DrawStep(vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements,
     const std::function<void(vtkShaderProgram*)>& setUniforms = {});
   void InterpolateCorners(vtkOpenGLRenderWindow* window);
@@ -134,6 +147,7 @@ private:
   vtkIdType NumberOfCorners = 0;
   Buffer Shown = Source;
   bool HasSolution = false; ///< in Source
+  bool HasWayLeft = false;  ///< from Faded to Source
   GLuint Framebuffer = 0;
   vtkStageDraw Stage;
 };

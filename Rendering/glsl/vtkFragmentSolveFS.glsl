@@ -78,7 +78,9 @@ void main()
         actor.clutterWeight * float(front) + actor.occlusionWeight * float(behind);
       front += own;
       float unimportance = pellucidPower(1.0 - uintBitsToFloat(fragment.x), actor.exponent);
-      uint bits = floatBitsToUint(1.0 / (1.0 + unimportance * energy));
+      // What is of full importance keeps its opacity, against an infinite energy too.
+      float opacity = unimportance > 0.0 ? 1.0 / (1.0 + unimportance * energy) : 1.0;
+      uint bits = floatBitsToUint(opacity);
       if (bits < segment.x)
       {
         atomicMin(pellucidSegments[fragment.y].x, bits);

@@ -105,7 +105,7 @@ void TestChangedWeight(Checks& checks, int framesPerSecond)
       GetLargestError(scene.GetOpacities(), start, aim, std::exp(-seconds / FadeTime)), 0.0, 1e-5);
     checks.True(name + GetStages(scene.Pass), GetStages(scene.Pass) == "opaque copy fade resolve ");
   }
-  scene.Render(102.0 + 7.99 * FadeTime);
+  scene.Render(102.0 + 6.0 * FadeTime);
   checks.True(name + "ends early", scene.IsFading());
   checks.True(name + "other bytes at the end", scene.Render(102.0 + 8.0 * FadeTime) == last);
   checks.True(name + "does not end", !scene.IsFading());

@@ -216,7 +216,7 @@ void TestWeighting(Checks& checks)
 {
   vtkNew<vtkOcclusionAvoidance> avoidance;
   avoidance->SetModeToWeighting();
-  avoidance->SetEmphasis(2);
+  avoidance->SetImportanceExponent(2);
   Scene scene(3, 3);
   scene.AddTube({ { -4, 0, 4 }, { 4, 0, 4 } }, 0.5, avoidance);
   scene.AddTube({ { 0, -4, 2 }, { 0, 4, 2 } }, 0.25, avoidance);

@@ -14,6 +14,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkCompositePolyDataMapper,
     vtkDataSetMapper,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -215,13 +216,13 @@ class TestAvoid(unittest.TestCase):
         actor = make_actor(make_lines())
         found = pellucid.avoid(
             actor, "weighting", penalty=0.5, importance_weight=2, coverage_weight=3,
-            directional_variance_weight=4, depth_weight=5, emphasis=6, global_opacity=0.25,
+            directional_variance_weight=4, depth_weight=5, importance_exponent=6, global_opacity=0.25,
             smooth_attributes=True)
         self.assertIs(pellucid.vtkImportanceDrivenOpacity.Get(actor), found)
         self.assertEqual(
             (found.GetMode(), found.GetPenalty(), found.GetImportanceWeight(),
              found.GetCoverageWeight(), found.GetDirectionalVarianceWeight(), found.GetDepthWeight(),
-             found.GetEmphasis(), found.GetGlobalOpacity(), found.GetSmoothAttributes()),
+             found.GetImportanceExponent(), found.GetGlobalOpacity(), found.GetSmoothAttributes()),
             (found.WEIGHTING, 0.5, 2, 3, 4, 5, 6, 0.25, True))
         self.assertEqual(pellucid.avoid(actor).GetMode(), found.PENALTY)
 
@@ -233,8 +234,8 @@ class TestErrors(unittest.TestCase):
             (pellucid.optimize, "occlusion_weight, clutter_weight, emphasis, smoothing_iterations, "
              "self_occlusion"),
             (pellucid.avoid, "penalty, importance_weight, coverage_weight, "
-             "directional_variance_weight, depth_weight, emphasis, global_opacity, "
-             "smooth_attributes"),
+             "directional_variance_weight, depth_weight, importance_exponent, "
+             "global_opacity, smooth_attributes"),
         ):
             with self.assertRaisesRegex(TypeError, f"unknown parameter 'q'; there are {names}$"):
                 function(actor, q=1)
@@ -256,7 +257,7 @@ class TestErrors(unittest.TestCase):
             pellucid.avoid(actor, "x")
         for function in (pellucid.optimize, pellucid.avoid):
             with self.assertRaisesRegex(
-                    ValueError, "there is no point array 'x'; there are Importance"):
+                    ValueError, "there is no point array 'x' of one component; there are Importance"):
                 function(actor, importance="x")
         self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
 
@@ -273,10 +274,15 @@ class TestErrors(unittest.TestCase):
                     function(actor)
             pellucid.restore(actor)
 
-    def test_anything_but_poly_data_is_refused(self):
-        actor = make_actor(vtkUnstructuredGrid(), vtkDataSetMapper())
-        with self.assertRaisesRegex(TypeError, "expected a vtkPolyData, found vtkUnstructuredGrid"):
-            pellucid.optimize(actor)
+    def test_mappers_without_importance_are_refused(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_lines())
+        for data, mapper in ((vtkUnstructuredGrid(), vtkDataSetMapper()),
+                             (blocks, vtkCompositePolyDataMapper())):
+            actor = make_actor(data, mapper)
+            with self.assertRaisesRegex(TypeError, f"one vtkPolyData, found a {mapper.GetClassName()}"):
+                pellucid.optimize(actor)
+            self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
 
     def test_lines_and_surfaces_in_one(self):
         mixed = make_lines()
