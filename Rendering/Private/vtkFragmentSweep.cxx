@@ -160,20 +160,8 @@ void vtkFragmentSweep::Sort()
 //------------------------------------------------------------------------------
 void vtkFragmentSweep::DrawOffScreen(const std::function<void()>& draw)
 {
-  vtkOpenGLState* state = this->Current.Window->GetState();
-  if (this->Framebuffer == 0)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  state->vtkglDrawBuffer(GL_NONE);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, this->Tile.Origin[0] + this->Tile.Size[0]);
-  glFramebufferParameteri(
-    GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, this->Tile.Origin[1] + this->Tile.Size[1]);
-  draw();
-  state->PopFramebufferBindings();
+  this->Framebuffer.Use(this->Current.Window, this->Tile.Origin[0] + this->Tile.Size[0],
+    this->Tile.Origin[1] + this->Tile.Size[1], draw);
 }
 
 //------------------------------------------------------------------------------
@@ -225,8 +213,7 @@ void vtkFragmentSweep::WarnOfMemory(vtkIdType fragments)
 void vtkFragmentSweep::Release()
 {
   this->Lists.Release();
-  glDeleteFramebuffers(1, &this->Framebuffer);
-  this->Framebuffer = 0;
+  this->Framebuffer.Release();
   this->HasAll = false;
 }
 

@@ -9,6 +9,7 @@
 #ifndef vtkFragmentSweep_h
 #define vtkFragmentSweep_h
 
+#include "vtkEmptyFramebuffer.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentTiles.h"
 
@@ -97,7 +98,7 @@ private:
   vtkFragmentTiles SmallTiles; ///< of sweeps with a scale above 1
   vtkFragmentTiles* SweepTiles = &Tiles;
   vtkPixelRectangle Tile;
-  GLuint Framebuffer = 0;
+  vtkEmptyFramebuffer Framebuffer;
   bool HasAll = false;
   std::uint32_t LongLists = 0;
   vtkIdType Fragments = 0;

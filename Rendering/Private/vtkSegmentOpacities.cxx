@@ -164,23 +164,19 @@ void vtkSegmentOpacities::Smooth(vtkOpenGLRenderWindow* window, int iterations)
 //------------------------------------------------------------------------------
 void vtkSegmentOpacities::DrawIterations(vtkOpenGLRenderWindow* window, int first, int last)
 {
-  this->DrawOffScreen(window,
-    [&]
-    {
-      this->BindTables();
-      const auto bind = [this](GLuint binding, Buffer buffer)
-      { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Handles[buffer]); };
-      bind(FirstNeighborsBinding, FirstNeighbors);
-      bind(NeighborsBinding, Neighbors);
-      for (int iteration = first; iteration <= last; ++iteration)
-      {
-        bind(SourceBinding, Source);
-        bind(TargetBinding, Target);
-        this->DrawStep(window, vtkSegmentSmoothFS, this->NumberOfSegments,
-          [iteration](vtkShaderProgram* program) { program->SetUniformi("iteration", iteration); });
-        std::swap(this->Handles[Source], this->Handles[Target]);
-      }
-    });
+  this->BindTables();
+  const auto bind = [this](GLuint binding, Buffer buffer)
+  { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Handles[buffer]); };
+  bind(FirstNeighborsBinding, FirstNeighbors);
+  bind(NeighborsBinding, Neighbors);
+  for (int iteration = first; iteration <= last; ++iteration)
+  {
+    bind(SourceBinding, Source);
+    bind(TargetBinding, Target);
+    this->DrawStep(window, vtkSegmentSmoothFS, this->NumberOfSegments,
+      [iteration](vtkShaderProgram* program) { program->SetUniformi("iteration", iteration); });
+    std::swap(this->Handles[Source], this->Handles[Target]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -274,13 +270,9 @@ void vtkSegmentOpacities::DrawFade(vtkOpenGLRenderWindow* window, double share)
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SourceBinding, this->Handles[Source]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[Faded]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, PendingBinding, this->Handles[Pending]);
-  this->DrawOffScreen(window,
-    [&]
-    {
-      this->DrawStep(window, vtkSegmentFadeFS, this->NumberOfSegments,
-        [share](vtkShaderProgram* program)
-        { program->SetUniformf("share", static_cast<float>(share)); });
-    });
+  this->DrawStep(window, vtkSegmentFadeFS, this->NumberOfSegments,
+    [share](vtkShaderProgram* program)
+    { program->SetUniformf("share", static_cast<float>(share)); });
 }
 
 //------------------------------------------------------------------------------
@@ -292,8 +284,7 @@ void vtkSegmentOpacities::InterpolateCorners(vtkOpenGLRenderWindow* window)
   }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, CornersBinding, this->Handles[Corners]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TargetBinding, this->Handles[this->Shown]);
-  this->DrawOffScreen(
-    window, [&] { this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners); });
+  this->DrawStep(window, vtkCornerOpacitiesFS, this->NumberOfCorners);
 }
 
 //------------------------------------------------------------------------------
@@ -360,27 +351,6 @@ double vtkSegmentOpacities::Interpolate(
 }
 
 //------------------------------------------------------------------------------
-void vtkSegmentOpacities::DrawOffScreen(
-  vtkOpenGLRenderWindow* window, const std::function<void()>& draw)
-{
-  vtkOpenGLState* state = window->GetState();
-  if (this->Framebuffer == 0)
-  {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  state->vtkglDrawBuffer(GL_NONE);
-  {
-    vtkOpenGLState::ScopedglViewport viewportSaver(state);
-    vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    draw();
-  }
-  state->PopFramebufferBindings();
-}
-
-//------------------------------------------------------------------------------
 void vtkSegmentOpacities::DrawStep(vtkOpenGLRenderWindow* window, const char* fragmentShader,
   vtkIdType elements, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
@@ -390,20 +360,23 @@ void vtkSegmentOpacities::DrawStep(vtkOpenGLRenderWindow* window, const char* fr
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Segments", vtkSegmentTablesDec);
   const int width = static_cast<int>(std::min<vtkIdType>(elements, RowLength));
   const int height = static_cast<int>((elements + width - 1) / width);
-  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
-  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
-  window->GetState()->vtkglViewport(0, 0, width, height);
-  this->Stage.Draw(window, source,
-    [&](vtkShaderProgram* program)
+  const auto setAllUniforms = [&](vtkShaderProgram* program)
+  {
+    program->SetUniformi("elementCount", static_cast<int>(elements));
+    program->SetUniformi("rowLength", width);
+    program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
+    if (setUniforms)
     {
-      program->SetUniformi("elementCount", static_cast<int>(elements));
-      program->SetUniformi("rowLength", width);
-      program->SetUniformi("segmentCount", static_cast<int>(this->NumberOfSegments));
-      if (setUniforms)
-      {
-        setUniforms(program);
-      }
-    });
+      setUniforms(program);
+    }
+  };
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewportSaver(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorSaver(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, width, height);
+  this->Framebuffer.Use(
+    window, width, height, [&] { this->Stage.Draw(window, source, setAllUniforms); });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -422,13 +395,12 @@ vtkIdType vtkSegmentOpacities::GetBytes() const
 void vtkSegmentOpacities::Release()
 {
   glDeleteBuffers(NumberOfBuffers, this->Handles.data());
-  glDeleteFramebuffers(1, &this->Framebuffer);
+  this->Framebuffer.Release();
   this->Stage.Release();
   this->Handles.fill(0);
   this->Bytes.fill(0);
   this->NumberOfSegments = 0;
   this->NumberOfCorners = 0;
-  this->Framebuffer = 0;
   this->Shown = Source;
   this->HasSolution = false;
 }

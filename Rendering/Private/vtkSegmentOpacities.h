@@ -21,6 +21,7 @@
 #ifndef vtkSegmentOpacities_h
 #define vtkSegmentOpacities_h
 
+#include "vtkEmptyFramebuffer.h"
 #include "vtkStageDraw.h"
 #include "vtkType.h"
 
@@ -134,7 +135,6 @@ private:
   template <typename Table>
   bool Put(Buffer buffer, const Table& table);
   void Fill(Buffer buffer, float value);
-  void DrawOffScreen(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
   void DrawFade(vtkOpenGLRenderWindow* window, double share);
   void DrawIterations(vtkOpenGLRenderWindow* window, int first, int last);
   void DrawStep(vtkOpenGLRenderWindow* window, const char* fragmentShader, vtkIdType elements,
@@ -148,7 +148,7 @@ private:
   Buffer Shown = Source;
   bool HasSolution = false; ///< in Source
   bool HasWayLeft = false;  ///< from Faded to Source
-  GLuint Framebuffer = 0;
+  vtkEmptyFramebuffer Framebuffer;
   vtkStageDraw Stage;
 };
 

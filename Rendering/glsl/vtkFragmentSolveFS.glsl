@@ -18,7 +18,8 @@
 //VTK::Pellucid::Segments
 //VTK::Pellucid::Power
 
-// Whether a fragment is solved and weighs in the sums, which those of occlusion avoidance do not; `previous` is the segment in front of it
+// Whether a fragment is solved and weighs in the sums, which those of occlusion avoidance do not; `previous`
+// is the segment in front of it
 bool counts(uvec2 fragment, uint previous)
 {
   return int(fragment.y) > 0 &&

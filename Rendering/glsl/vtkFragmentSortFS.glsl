@@ -8,7 +8,8 @@
 // one insertion sort and a long one n log n steps. Lists above PELLUCID_MAXIMUM_SHADER_LIST are
 // noted for the CPU: software renderers end a shader invocation after some 65,000 loop iterations.
 //
-// Reads and writes: links, heads. Reads: colours, importances and positions of fragments of equal depth. Writes: the longest
+// Reads and writes: links, heads. Reads: colours, importances and positions of fragments of equal depth.
+// Writes: the longest
 // list, the long lists. No colour output.
 
 //VTK::Pellucid::Lists
