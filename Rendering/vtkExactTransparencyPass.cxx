@@ -455,7 +455,7 @@ void vtkExactTransparencyPass::FadeOpacities()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  if (this->FadeTime == 0.0 || !gpu.Opacities.StartFading())
+  if (!(this->FadeTime > 0.0) || !gpu.Opacities.StartFading())
   {
     gpu.HasSolved = !gpu.Opacities.StopFading() && gpu.HasSolved;
     return;

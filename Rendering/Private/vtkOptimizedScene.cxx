@@ -61,9 +61,11 @@ bool BringsImportance(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+// NaN, which setters do not clamp, counts as 0.
 float ToFloat(double value)
 {
-  return static_cast<float>(std::min<double>(value, std::numeric_limits<float>::max()));
+  const double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(value > 0.0 ? std::min(value, largest) : 0.0);
 }
 
 //------------------------------------------------------------------------------

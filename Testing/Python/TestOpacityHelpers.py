@@ -206,6 +206,13 @@ class TestOptimize(unittest.TestCase):
         output = actor.GetMapper().GetInputDataObject(0, 0)
         self.assertTrue(output.GetBlock(2).GetPointData().HasArray("SegmentBase"))
 
+    def test_surfaces_take_few_steps_of_smoothing(self):
+        for make, parameters, expected in (
+            (make_lines, {}, 50), (make_sphere, {}, 5), (make_sphere, {"smoothing_iterations": 9}, 9),
+        ):
+            found = pellucid.optimize(make_actor(make()), "focus", **parameters)
+            self.assertEqual(found.GetSmoothingIterations(), expected)
+
     def test_data_may_come_later(self):
         actor = make_actor(vtkPolyData())
         self.assertIsNotNone(pellucid.optimize(actor))
@@ -242,12 +249,14 @@ class TestErrors(unittest.TestCase):
 
     def test_values_out_of_range(self):
         actor = make_actor(make_lines())
-        with self.assertRaisesRegex(ValueError, "emphasis: expected 0.01 to 100.0, found 0"):
+        with self.assertRaisesRegex(ValueError, "emphasis: expected 0.01 to 100, found 0"):
             pellucid.optimize(actor, emphasis=0)
-        with self.assertRaisesRegex(ValueError, "penalty: expected 0.0 to 1.0, found 2"):
+        with self.assertRaisesRegex(ValueError, "penalty: expected 0 to 1, found 2"):
             pellucid.avoid(actor, penalty=2)
-        with self.assertRaisesRegex(ValueError, "occlusion_weight: expected 0.0 to .*, found nan"):
+        with self.assertRaisesRegex(ValueError, "occlusion_weight: expected 0 or more, found nan"):
             pellucid.optimize(actor, occlusion_weight=float("nan"))
+        with self.assertRaisesRegex(ValueError, "self_occlusion: expected True or False, found 2"):
+            pellucid.optimize(actor, self_occlusion=2)
 
     def test_unknown_names(self):
         actor = make_actor(make_lines())
@@ -277,6 +286,8 @@ class TestErrors(unittest.TestCase):
     def test_mappers_without_importance_are_refused(self):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, make_lines())
+        with self.assertRaisesRegex(TypeError, "lines and points: expected a vtkTrajectoryMapper"):
+            pellucid.optimize(make_actor(make_lines(), vtkPolyDataMapper()))
         for data, mapper in ((vtkUnstructuredGrid(), vtkDataSetMapper()),
                              (blocks, vtkCompositePolyDataMapper())):
             actor = make_actor(data, mapper)
