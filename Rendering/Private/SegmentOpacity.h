@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    SegmentOpacity.h
- * @brief   From the opacities of fragments to smooth ones of segments, vertices and time.
+ * @brief   From the opacities of fragments to smooth ones of segments and vertices.
  *
  * Guenther, Theisel and Gross 2017, section 5, steps 3 to 5: the least opacity of a segment's
- * fragments, smoothed over neighbouring segments, interpolated between them, and faded in. A
- * segment without a fragment has no opacity: it is undefined, which is NaN, and takes no part in
- * what its neighbours get.
+ * fragments, smoothed over neighbouring segments, and interpolated between them. A segment without
+ * a fragment has no opacity: it is undefined, which is NaN, and takes no part in what its
+ * neighbours get.
  */
 
 #ifndef SegmentOpacity_h
@@ -15,7 +15,6 @@
 
 #include "OpacitySolution.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -124,21 +123,6 @@ Real InterpolateOpacity(const std::vector<Real>& opacities, SegmentId base, Real
   const std::array<SegmentId, 2> segments{ base, base + 1 };
   const std::array<Real, 2> weights{ 1 - weight, weight };
   return InterpolateOpacity(opacities, segments.data(), weights.data(), segments.size());
-}
-
-/**
- * An opacity, `seconds` after it was `current` and on its way to `target`: the distance falls by a
- * factor of e in each `timeConstant` (0: at once), in any number of frames. Without a current
- * opacity it is at its target; without a target it is undefined.
- */
-template <typename Real>
-Real FadeOpacity(Real current, Real target, Real seconds, Real timeConstant)
-{
-  if (!IsDefined(current) || !(timeConstant > 0))
-  {
-    return target;
-  }
-  return target + (current - target) * std::exp(-std::max(seconds, Real(0)) / timeConstant);
 }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The least opacity of each segment; smoothing on lines, surfaces and points, and interpolation,
- * with undefined segments that never leak; fading that does not depend on the number of frames.
+ * with undefined segments that never leak.
  */
 
 #include "ReferenceTesting.h"
@@ -13,7 +13,6 @@ namespace
 using Opacities = std::vector<double>;
 
 constexpr double Undefined = pellucid::UndefinedOpacity<double>();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 bool Same(double a, double b)
 {
@@ -130,28 +129,6 @@ void TestInterpolation(Checks& checks)
     checks.True("never above 1", pellucid::InterpolateOpacity({ 1.0, 1.0 }, 0, k / 100.0) == 1);
   }
 }
-
-void TestFade(Checks& checks)
-{
-  const double seconds = 0.4;
-  const double once = pellucid::FadeOpacity(0.9, 0.1, seconds, 0.25);
-  checks.Near("one frame", once, 0.1 + 0.8 * std::exp(-1.6), 1e-15);
-  for (const int frames : { 2, 7, 1000 })
-  {
-    double opacity = 0.9;
-    for (int i = 0; i < frames; ++i)
-    {
-      opacity = pellucid::FadeOpacity(opacity, 0.1, seconds / frames, 0.25);
-    }
-    checks.Near(std::to_string(frames) + " frames", opacity, once, 1e-13);
-  }
-  checks.True("no time", pellucid::FadeOpacity(0.9, 0.1, 0.0, 0.25) == 0.9);
-  checks.True("time that runs back", pellucid::FadeOpacity(0.9, 0.1, -5.0, 0.25) == 0.9);
-  checks.True("for ever", pellucid::FadeOpacity(0.9, 0.1, Infinity, 0.25) == 0.1);
-  checks.True("at once", pellucid::FadeOpacity(0.9, 0.1, 0.0, 0.0) == 0.1);
-  checks.True("newly defined", pellucid::FadeOpacity(Undefined, 0.1, 0.01, 0.25) == 0.1);
-  checks.True("no longer defined", std::isnan(pellucid::FadeOpacity(0.9, Undefined, 0.01, 0.25)));
-}
 }
 
 int TestSegmentOpacity(int, char*[])
@@ -160,6 +137,5 @@ int TestSegmentOpacity(int, char*[])
   TestMinimum(checks);
   TestSmoothing(checks);
   TestInterpolation(checks);
-  TestFade(checks);
   return checks.Result();
 }
