@@ -75,7 +75,7 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
     "preset's, and 1 with --avoid weighting");
   group.AddInteger("--smoothing", options.SmoothingIterations, 0, 10000, "S",
     "Steps that even the opacities out along lines and over surfaces, 0 to 10000; default: the "
-    "preset's, which is for lines, of which surfaces take at most 5");
+    "preset's, for lines; surfaces take at most 5 of them");
   group.AddFlag("--self-occlusion", options.SelfOcclusion,
     "A segment of a line or surface may also hide itself");
   group.AddInteger("--gather-scale", options.GatherScale, 1, 4, "N",

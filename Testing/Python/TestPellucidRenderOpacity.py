@@ -166,7 +166,7 @@ class TestDefaultImportance(OpacityTest):
     def test_array_that_colours(self):
         self.assert_default("Height", self.lines)
         self.assert_default("Line", self.lines, "--color-by", "Line")
-        self.assert_default("SegmentLength", self.lines, "--color-by", "SegmentLength")
+        self.assert_default("SegmentLength", DATA / "combustor-lines.vtk", "--color-by", "SegmentLength")
         self.assert_default("Height", self.lines, "--color-by", "Height", "--exponent", "2")
 
     def test_importance_may_colour(self):
