@@ -35,6 +35,9 @@ public:
    */
   Coloring(const std::vector<Drawable>& drawables, const RenderOptions& options);
 
+  /** Of the array; empty if there is nothing to colour by. */
+  const std::string& GetName() const { return this->Name; }
+
   /** Make the mapper of a drawable colour by the array; one colour where it lacks the array. */
   void Apply(vtkMapper* mapper, const Drawable& drawable) const;
 
@@ -46,7 +49,7 @@ public:
     vtkPolyData* part, const Drawable& drawable) const;
 
 private:
-  std::string Name; // empty: nothing to colour by
+  std::string Name;
   vtkSmartPointer<vtkLookupTable> Table;
 };
 }

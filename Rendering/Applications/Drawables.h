@@ -31,6 +31,7 @@ struct Drawable
   std::set<std::string> Computed = {}; // names of arrays that we added
   bool HasImportance = false;          // each part has the point array Importance
   bool IsFaded = false;                // and it is a factor on the opacity
+  bool IsSurface = false;              // its parts are surfaces, divided into segments
   bool IsMap = false;                  // x and y are degrees of longitude and latitude
 
   /** The parts that hold points. */

@@ -37,15 +37,28 @@ void WriteStatistics(
   {
     stages[name] = milliseconds;
   }
-  nlohmann::ordered_json histogram;
-  if (!scene.ImportanceHistogram.empty())
+  nlohmann::ordered_json colorBy;
+  if (!scene.ColorBy.empty())
   {
-    histogram = { { "minimum", 0 }, { "maximum", 1 }, { "counts", scene.ImportanceHistogram } };
+    colorBy = scene.ColorBy;
+  }
+  nlohmann::ordered_json importance = nlohmann::ordered_json::array();
+  for (const ImportanceTerm& term : scene.Importance.Terms)
+  {
+    importance.push_back({ { "array", term.Array }, { "minimum", term.Minimum.Value },
+      { "maximum", term.Maximum.Value }, { "weight", term.Weight } });
+  }
+  nlohmann::ordered_json histogram;
+  if (!scene.Importance.Histogram.empty())
+  {
+    histogram = { { "minimum", 0 }, { "maximum", 1 }, { "counts", scene.Importance.Histogram } };
   }
   const nlohmann::ordered_json document = {
     { "input_points", scene.InputPoints },
     { "input_lines", scene.InputLines },
     { "selected_lines", scene.SelectedLines },
+    { "color_by", colorBy },
+    { "importance", importance },
     { "importance_histogram", histogram },
     { "fragments", frame.Fragments },
     { "solved_fragments", frame.SolvedFragments },
@@ -57,7 +70,9 @@ void WriteStatistics(
     { "opengl", frame.OpenGL },
   };
   std::ofstream file(fileName);
-  file << document.dump(2) << "\n";
+  // Names of arrays may be no UTF-8.
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  file << document.dump(2, ' ', false, replace) << "\n";
   if (!file.flush())
   {
     throw RenderError(fileName + ": cannot be written");

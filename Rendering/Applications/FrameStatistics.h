@@ -8,6 +8,8 @@
 #ifndef FrameStatistics_h
 #define FrameStatistics_h
 
+#include "SceneImportance.h"
+
 #include <string>  // for names
 #include <utility> // for stages
 #include <vector>  // for stages
@@ -22,7 +24,8 @@ struct SceneStatistics
   long long InputPoints = 0; // after tracing, before selection
   long long InputLines = 0;
   long long SelectedLines = 0;
-  std::vector<long long> ImportanceHistogram; // points in bins from 0 to 1; empty: no importance
+  FoundImportance Importance;
+  std::string ColorBy; // empty: no array
 };
 
 /** How it was drawn. */
@@ -42,8 +45,9 @@ struct FrameStatistics
 };
 
 /**
- * Write JSON with the keys input_points, input_lines, selected_lines, importance_histogram (null,
- * or an object with minimum, maximum and counts), fragments, solved_fragments, longest_list,
+ * Write JSON with the keys input_points, input_lines, selected_lines, color_by (null, or a name),
+ * importance (an array of objects with array, minimum, maximum and weight), importance_histogram
+ * (null, or an object with minimum, maximum and counts), fragments, solved_fragments, longest_list,
  * buffer_bytes, tiles, stages (an object: name to milliseconds), renderer and opengl; throw
  * RenderError when that fails.
  */

@@ -10,6 +10,7 @@
 #include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace pellucid
@@ -17,6 +18,9 @@ namespace pellucid
 namespace
 {
 constexpr double LargestWeight = std::numeric_limits<float>::max();
+
+// Patches of surfaces are some six times as large as segments of lines: more would wash them out.
+constexpr int MostStepsOnSurfaces = 5;
 
 /** An option, and when it has an effect. */
 struct Requirement
@@ -49,12 +53,12 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
     presets.emplace_back(name, name);
   }
   group.AddFlag("--optimize", options.Optimize,
-    "Fade lines, points and surfaces where they hide, or clutter, what is more important. Without "
-    "--importance, values from the 50th to the 99th percentile count, of the array that colours. "
-    "--color-by is then by default the speed of traced lines, TotalPressureDifference of lines "
-    "with "
-    "pressure, the active or first array, or Curvature. Inputs without importance keep their "
-    "opacity");
+    "Fade lines, points and surfaces where they hide, or clutter, what is more important. "
+    "--importance says what is important. Without it, values from the 50th to the 99th percentile "
+    "count, of the first of these: the speed of traced lines; TotalPressureDifference, where lines "
+    "have pressure; the array of --color-by; the active or first array of lines, then of points, "
+    "then of surfaces; Curvature of lines. Without --color-by that array colours. What lacks the "
+    "array has importance 0");
   group.AddChoice("--preset", options.Preset, presets,
     "Settings of the optimisation: clear-front (default), what hides goes; balanced, more of the "
     "surroundings stays; focus, little but the important stays; clear-back, a quiet background; "
@@ -71,12 +75,14 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
     "preset's, and 1 with --avoid weighting");
   group.AddInteger("--smoothing", options.SmoothingIterations, 0, 10000, "S",
     "Steps that even the opacities out along lines and over surfaces, 0 to 10000; default: the "
-    "preset's");
+    "preset's, for lines; surfaces take at most 5 of them");
   group.AddFlag("--self-occlusion", options.SelfOcclusion,
     "A segment of a line or surface may also hide itself");
   group.AddInteger("--gather-scale", options.GatherScale, 1, 4, "N",
-    "Optimise in a picture of 1/N of the width and height, 1 to 4: faster, but thin lines may be "
-    "missed; default 1");
+    "Find the opacities in a picture of 1/N of the width and height, 1 to 4: fewer fragments to "
+    "solve, but the geometry is drawn twice, and thin things may be missed. Pays only where "
+    "pixels, "
+    "not geometry, cost the time; default 1");
 }
 
 //------------------------------------------------------------------------------
@@ -151,13 +157,19 @@ void SetIfGiven(Parameters* parameters, void (Parameters::*set)(Number), std::op
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOptimization(const OpacityOptions& options)
+vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOptimization(
+  const OpacityOptions& options, bool isSurface)
 {
   using Parameters = vtkOpacityOptimization;
   auto parameters = vtkSmartPointer<Parameters>::New();
   if (!options.Preset.empty())
   {
     parameters->UsePreset(options.Preset.c_str());
+  }
+  if (isSurface)
+  {
+    parameters->SetSmoothingIterations(
+      std::min(parameters->GetSmoothingIterations(), MostStepsOnSurfaces));
   }
   SetIfGiven(parameters.Get(), &Parameters::SetOcclusionWeight, options.OcclusionWeight);
   SetIfGiven(parameters.Get(), &Parameters::SetClutterWeight, options.ClutterWeight);
@@ -237,12 +249,13 @@ void CompleteOpacityOptions(RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOpacityParameters(const OpacityOptions& options)
+vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOpacityParameters(
+  const OpacityOptions& options, bool isSurface)
 {
   switch (options.Rule)
   {
     case OpacityRule::Optimization:
-      return MakeOptimization(options);
+      return MakeOptimization(options, isSurface);
     case OpacityRule::Penalty:
     case OpacityRule::Weighting:
       return MakeAvoidance(options);

@@ -28,8 +28,12 @@ void AddOpacityOptions(CLI::App& app, OpacityOptions& options);
  */
 void CompleteOpacityOptions(RenderOptions& options);
 
-/** What to attach to actors; null where the importance is a factor. */
-vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOpacityParameters(const OpacityOptions& options);
+/**
+ * What to attach to the actors of surfaces, or to others; null where the importance is a factor.
+ * Surfaces take few of the preset's steps of smoothing.
+ */
+vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOpacityParameters(
+  const OpacityOptions& options, bool isSurface);
 }
 
 #endif

@@ -83,7 +83,8 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
   OptionGroup group(app, "Appearance");
   group.AddText("--color-by", options.ColorBy, "ARRAY",
     "Array that colours, a vector by its length: of the points or lines, a computed one, or "
-    "Importance; default: the speed of traced lines, otherwise the active or first array");
+    "Importance; default: the speed of traced lines, otherwise the active or first array; with "
+    "--optimize or --avoid, the array that is important by default");
   group.Add(
     "--color-range",
     [&options](const std::string& text)
@@ -98,8 +99,8 @@ void AddAppearanceOptions(CLI::App& app, RenderOptions& options)
     "Values of the first and the last colour, so that pictures compare; default: from the data, "
     "less 1 % at either end");
   group.AddNumber("--opacity", options.Opacity, 0.0, 1.0, "A",
-    "Opacity of everything, 0 to 1, which importance only lessens; default 0.3, and 1 for what has "
-    "importance");
+    "Opacity of everything, 0 to 1, which importance only lessens; default 0.3; 1 for what has "
+    "importance, and for everything with --optimize or --avoid");
   group.AddNumber("--radius", options.Radius, 0.0, OptionGroup::Unbounded, "R",
     "Radius of lines and points in world units; default 0: from the data");
   group.AddChoice("--lighting", options.Lighting, { { "on", true }, { "off", false } },

@@ -35,7 +35,8 @@ void AddActor(
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Scene& scene, const RenderOptions& options, Method method, double aspect)
 {
-  const auto parameters = MakeOpacityParameters(options.Opacities);
+  const auto parameters = MakeOpacityParameters(options.Opacities, false);
+  const auto surfaceParameters = MakeOpacityParameters(options.Opacities, true);
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   for (const Drawable& drawable : scene.Drawables)
   {
@@ -50,7 +51,8 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
       actor->SetMapper(mapper);
       if (drawable.HasImportance)
       {
-        vtkImportanceDrivenOpacity::Attach(actor, parameters);
+        vtkImportanceDrivenOpacity::Attach(
+          actor, drawable.IsSurface ? surfaceParameters : parameters);
       }
       AddActor(renderer, actor, drawable, options);
       continue;

@@ -3,18 +3,23 @@
 
 #include "SceneImportance.h"
 
+#include "CellKinds.h"
 #include "Coloring.h"
 #include "LineAttributes.h"
+#include "MessageLog.h"
+#include "PlainText.h"
 #include "RenderError.h"
-#include "RenderOptions.h"
 #include "SceneFilter.h"
 
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImportance.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTrajectoryAttributes.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace pellucid
 {
@@ -27,30 +32,61 @@ constexpr RangeLimit MostImportant = { 99.0, true };
 constexpr const char* TrajectoryIds = "TrajectoryId"; // of our readers: names, no quantities
 
 //------------------------------------------------------------------------------
+// The array that would colour what has cells of that kind; empty if there is none.
+std::string ChooseArrayOf(const std::vector<Drawable>& drawables, int kind)
+{
+  for (Drawable drawable : drawables)
+  {
+    std::vector<vtkDataSet*> parts;
+    for (vtkPolyData* part : drawable.GetLeaves())
+    {
+      if (GetKinds(part) & kind)
+      {
+        parts.push_back(part);
+      }
+    }
+    drawable.Data = JoinParts(parts);
+    const std::string name = ChooseColorArray({ drawable });
+    if (!name.empty() && name != TrajectoryIds)
+    {
+      return name;
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
 // The array whose greater values are likely to be what someone looks for.
 std::string ChooseArray(const std::vector<Drawable>& drawables, const RenderOptions& options)
 {
-  if (!options.ColorBy.empty() && options.ColorBy != ImportanceArray)
-  {
-    return options.ColorBy;
-  }
   const auto canCompute = [&](int attribute)
   {
     return AnyPart(drawables,
       [&](vtkPolyData* part)
       { return part->GetNumberOfLines() > 0 && CanCompute(part, attribute, options); });
   };
-  const bool isTraced = std::any_of(drawables.begin(), drawables.end(),
+  const auto traced = std::find_if(drawables.begin(), drawables.end(),
     [](const Drawable& drawable) { return !drawable.Speed.empty(); });
-  if (!isTraced && canCompute(vtkTrajectoryAttributes::TOTAL_PRESSURE_DIFFERENCE))
+  if (traced != drawables.end())
+  {
+    return traced->Speed;
+  }
+  if (canCompute(vtkTrajectoryAttributes::TOTAL_PRESSURE_DIFFERENCE))
   {
     return vtkTrajectoryAttributes::GetAttributeName(
       vtkTrajectoryAttributes::TOTAL_PRESSURE_DIFFERENCE);
   }
-  const std::string name = ChooseColorArray(drawables);
-  if (!name.empty() && name != TrajectoryIds)
+  if (!options.ColorBy.empty() && options.ColorBy != ImportanceArray)
   {
-    return name;
+    return options.ColorBy;
+  }
+  for (const int kind : { Lines, Vertices, Surfaces })
+  {
+    const std::string name = ChooseArrayOf(drawables, kind);
+    if (!name.empty())
+    {
+      return name;
+    }
   }
   return canCompute(vtkTrajectoryAttributes::CURVATURE)
     ? vtkTrajectoryAttributes::GetAttributeName(vtkTrajectoryAttributes::CURVATURE)
@@ -58,9 +94,8 @@ std::string ChooseArray(const std::vector<Drawable>& drawables, const RenderOpti
 }
 
 //------------------------------------------------------------------------------
-// Drawables of parts that all have importance, or all lack it.
-std::vector<Drawable> Divide(
-  const std::vector<Drawable>& drawables, const PartTest& hasAll, bool isFactor)
+// Drawables of parts that all have importance, which is a factor, or all lack it.
+std::vector<Drawable> Divide(const std::vector<Drawable>& drawables, const PartTest& hasAll)
 {
   std::vector<Drawable> result;
   for (const Drawable& drawable : drawables)
@@ -76,20 +111,85 @@ std::vector<Drawable> Divide(
         result.push_back(drawable);
         result.back().Data = JoinParts(some);
         result.back().HasImportance = hasImportance;
-        result.back().IsFaded = hasImportance && isFactor;
+        result.back().IsFaded = hasImportance;
       }
     }
   }
   return result;
 }
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithoutImportance(vtkPolyData* part)
+{
+  vtkNew<vtkFloatArray> zeros;
+  zeros->SetName(ImportanceArray);
+  zeros->SetNumberOfTuples(part->GetNumberOfPoints());
+  zeros->FillValue(0.0F);
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(part);
+  copy->GetPointData()->AddArray(zeros);
+  return copy;
 }
 
 //------------------------------------------------------------------------------
-void ChooseImportance(const std::vector<Drawable>& drawables, RenderOptions& options)
+// Let all parts take part: those that lack an array are unimportant.
+void Complete(std::vector<Drawable>& drawables, const PartTest& hasAll)
+{
+  for (Drawable& drawable : drawables)
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> parts;
+    for (vtkPolyData* part : drawable.GetLeaves())
+    {
+      parts.push_back(hasAll(part) ? vtkSmartPointer<vtkPolyData>(part) : WithoutImportance(part));
+    }
+    drawable.Data = JoinParts({ parts.begin(), parts.end() });
+    drawable.HasImportance = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Least and greatest; the first above the second where there are no points.
+NumberRange GetImportanceRange(const std::vector<Drawable>& drawables)
+{
+  NumberRange range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (const Drawable& drawable : drawables)
+  {
+    for (vtkPolyData* part : drawable.GetLeaves())
+    {
+      if (part->GetNumberOfPoints() > 0)
+      {
+        const double* own = part->GetPointData()->GetArray(ImportanceArray)->GetRange();
+        range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+      }
+    }
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfEvenImportance(const std::vector<Drawable>& drawables, const RenderOptions& options)
+{
+  const NumberRange range = GetImportanceRange(drawables);
+  if (range[0] == range[1])
+  {
+    const bool optimizes = options.Opacities.Rule == OpacityRule::Optimization;
+    MessageLog& log = MessageLog::GetInstance();
+    log.Clear();
+    log.AddWarning(std::string(optimizes ? "--optimize" : "--avoid") + ": importance is " +
+      ToText(static_cast<float>(range[0])) +
+      " everywhere, so that nothing fades in favour of anything else; --list-arrays shows the "
+      "ranges");
+    log.PrintWarnings();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool ChooseImportance(const std::vector<Drawable>& drawables, RenderOptions& options)
 {
   if (!options.Importance.empty() || options.Opacities.Rule == OpacityRule::Factor)
   {
-    return;
+    return false;
   }
   const std::string name = ChooseArray(drawables, options);
   if (name.empty())
@@ -100,10 +200,21 @@ void ChooseImportance(const std::vector<Drawable>& drawables, RenderOptions& opt
   }
   options.Importance = { { name, LeastImportant, MostImportant } };
   options.ColorBy = options.ColorBy.empty() ? name : options.ColorBy;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-std::vector<long long> AddImportance(std::vector<Drawable>& drawables, const RenderOptions& options)
+std::string DescribeChoice(const ImportanceTerm& found)
+{
+  std::ostringstream text;
+  text << "Importance: " << MakePrintable(found.Array) << ", from " << found.Minimum.Value << " ("
+       << LeastImportant.Value << " %) to " << found.Maximum.Value << " (" << MostImportant.Value
+       << " %)";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+FoundImportance AddImportance(std::vector<Drawable>& drawables, const RenderOptions& options)
 {
   if (options.Importance.empty())
   {
@@ -118,7 +229,6 @@ std::vector<long long> AddImportance(std::vector<Drawable>& drawables, const Ren
   {
     throw RenderError("--importance: no input has all of the arrays; name arrays of one input");
   }
-  drawables = Divide(drawables, hasAll, options.Opacities.Rule == OpacityRule::Factor);
 
   vtkNew<vtkImportance> filter;
   for (const ImportanceTerm& term : options.Importance)
@@ -128,7 +238,25 @@ std::vector<long long> AddImportance(std::vector<Drawable>& drawables, const Ren
   }
   filter->SetExponent(options.Exponent);
   FilterParts(drawables, hasAll, filter, "--importance");
+  if (options.Opacities.Rule == OpacityRule::Factor)
+  {
+    drawables = Divide(drawables, hasAll);
+  }
+  else
+  {
+    Complete(drawables, hasAll);
+    WarnOfEvenImportance(drawables, options);
+  }
+
+  FoundImportance found;
+  for (const ImportanceTerm& term : options.Importance)
+  {
+    const int index = static_cast<int>(found.Terms.size());
+    found.Terms.push_back({ term.Array, { filter->GetEffectiveMinimum(index) },
+      { filter->GetEffectiveMaximum(index) }, term.Weight });
+  }
   const auto* counts = filter->GetHistogram()->GetPointer(0);
-  return { counts, counts + filter->GetHistogram()->GetNumberOfTuples() };
+  found.Histogram.assign(counts, counts + filter->GetHistogram()->GetNumberOfTuples());
+  return found;
 }
 }

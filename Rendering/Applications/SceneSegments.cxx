@@ -7,7 +7,6 @@
 #include "SceneFilter.h"
 
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkSurfaceSegments.h"
 #include "vtkTrajectorySegments.h"
 
@@ -16,48 +15,43 @@ namespace pellucid
 namespace
 {
 //------------------------------------------------------------------------------
-void SeparateSurfaces(Drawable& drawable)
+std::vector<Drawable> SeparateSurfaces(const std::vector<Drawable>& drawables)
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  for (vtkPolyData* part : drawable.GetLeaves())
+  std::vector<Drawable> result;
+  for (const Drawable& drawable : drawables)
   {
-    const int kinds = GetKinds(part);
-    if ((kinds & Surfaces) && kinds != Surfaces)
+    for (const bool areSurfaces : { false, true })
     {
-      parts.push_back(KeepCells(part, Vertices | Lines));
-      parts.push_back(KeepCells(part, Surfaces));
-    }
-    else
-    {
-      parts.push_back(part);
+      std::vector<vtkSmartPointer<vtkPolyData>> parts;
+      for (vtkPolyData* part : drawable.GetLeaves())
+      {
+        const int own = GetKinds(part);
+        if (areSurfaces ? (own & Surfaces) != 0 : own != Surfaces)
+        {
+          const bool isMixed = (own & Surfaces) && own != Surfaces;
+          parts.push_back(isMixed ? KeepCells(part, areSurfaces ? Surfaces : Vertices | Lines)
+                                  : vtkSmartPointer<vtkPolyData>(part));
+        }
+      }
+      if (!parts.empty())
+      {
+        result.push_back(drawable);
+        result.back().Data = JoinParts({ parts.begin(), parts.end() });
+        result.back().IsSurface = areSurfaces;
+      }
     }
   }
-  drawable.Data = JoinParts({ parts.begin(), parts.end() });
-}
-
-//------------------------------------------------------------------------------
-PartTest PartsWithImportance(bool areSurfaces)
-{
-  return [areSurfaces](vtkPolyData* part)
-  {
-    const int kinds = GetKinds(part);
-    return part->GetPointData()->HasArray(ImportanceArray) &&
-      (areSurfaces ? kinds == Surfaces : (kinds & (Vertices | Lines)) != 0);
-  };
+  return result;
 }
 }
 
 //------------------------------------------------------------------------------
 void AddSegments(std::vector<Drawable>& drawables)
 {
-  for (Drawable& drawable : drawables)
-  {
-    if (drawable.HasImportance)
-    {
-      SeparateSurfaces(drawable);
-    }
-  }
-  FilterParts(drawables, PartsWithImportance(false), vtkNew<vtkTrajectorySegments>(), "Segments");
-  FilterParts(drawables, PartsWithImportance(true), vtkNew<vtkSurfaceSegments>(), "Segments");
+  const auto has = [](int kinds)
+  { return [kinds](vtkPolyData* part) { return (GetKinds(part) & kinds) != 0; }; };
+  drawables = SeparateSurfaces(drawables);
+  FilterParts(drawables, has(Vertices | Lines), vtkNew<vtkTrajectorySegments>(), "Segments");
+  FilterParts(drawables, has(Surfaces), vtkNew<vtkSurfaceSegments>(), "Segments");
 }
 }

@@ -15,8 +15,8 @@
 namespace pellucid
 {
 /**
- * Divide what has importance into segments, as many as the filters choose: all lines and points by
- * one vtkTrajectorySegments, each surface by vtkSurfaceSegments. Surfaces become parts of their
+ * Divide everything into segments, as many as the filters choose: all lines and points by one
+ * vtkTrajectorySegments, each surface by vtkSurfaceSegments. Surfaces become drawables of their
  * own.
  */
 void AddSegments(std::vector<Drawable>& drawables);

@@ -43,7 +43,7 @@ void Run(pellucid::RenderOptions options)
   }
   SceneStatistics statistics;
   auto drawables = MakeDrawables(ReadInputs(options), options);
-  ChooseImportance(drawables, options);
+  const bool isChosen = ChooseImportance(drawables, options);
   AddNamedAttributes(drawables, options);
   for (const Drawable& drawable : drawables)
   {
@@ -55,8 +55,13 @@ void Run(pellucid::RenderOptions options)
   {
     statistics.SelectedLines += drawable.GetNumberOfLines();
   }
-  statistics.ImportanceHistogram = AddImportance(drawables, options);
+  statistics.Importance = AddImportance(drawables, options);
+  if (isChosen)
+  {
+    std::cout << DescribeChoice(statistics.Importance.Terms.front()) << std::endl;
+  }
   const Coloring colors(drawables, options);
+  statistics.ColorBy = colors.GetName();
   if (options.Opacities.Rule == OpacityRule::Optimization)
   {
     AddSegments(drawables);

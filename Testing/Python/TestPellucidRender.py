@@ -31,6 +31,8 @@ KEYS = [
     "input_points",
     "input_lines",
     "selected_lines",
+    "color_by",
+    "importance",
     "importance_histogram",
     "fragments",
     "solved_fragments",

@@ -7,11 +7,12 @@ import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 from opacities import BEHIND, CROSSING, FLAT, HEIGHT, OpacityTest
-from render_program import DATA, NEAR, write
+from render_program import DATA, NEAR, make_polylines, write
 
 OPTIMIZE = (*FLAT, *HEIGHT, "--optimize", "--r", "0", "--smoothing", "0")
 PRESETS = {
@@ -24,6 +25,18 @@ PRESETS = {
 
 
 class TestOptimization(OpacityTest):
+    def write_ball(self):
+        """With the array x."""
+        ball = self.folder / "ball.vtk"
+        data = vtkPolyData()
+        data.ShallowCopy(self.sphere)
+        x = numpy.ascontiguousarray(vtk_to_numpy(data.GetPoints().GetData())[:, 0])
+        array = numpy_to_vtk(x, deep=True)
+        array.SetName("x")
+        data.GetPointData().AddArray(array)
+        write(vtkPolyDataWriter(), data, ball, FileType=2)
+        return ball
+
     def test_what_hides_fades(self):
         for q, expected in ((0, 1), (1, 1 / 2), (3, 1 / 4), (50, 1 / 51)):
             self.assertAlmostEqual(
@@ -70,6 +83,14 @@ class TestOptimization(OpacityTest):
         opaque = self.draw_lines(*FLAT, "--opacity", "1")
         self.assertGreater(faded(50), 1.5 * faded(0))
 
+    def test_surfaces_take_few_steps_of_presets(self):
+        ball = (self.write_ball(), "--size", "120x90", *NEAR, "--importance", "x:-1:1")
+        picture, _ = self.render(*ball, "--preset", "focus")
+        few, _ = self.render(*ball, "--preset", "focus", "--smoothing", "5")
+        many, _ = self.render(*ball, "--preset", "focus", "--smoothing", "50")
+        self.assertTrue(numpy.array_equal(picture, few))
+        self.assertFalse(numpy.array_equal(picture, many))
+
     def test_points_lines_and_surfaces_of_one_data_set(self):
         """All kinds of cells stay, each fades, and the reference agrees."""
         options = (self.mixed, "--size", "120x90", "--radius", "0.1", "--color-by", "x",
@@ -87,13 +108,7 @@ class TestOptimization(OpacityTest):
 
     def test_self_occlusion(self):
         """Of a ball of few segments, near whose outline one is in front of itself."""
-        x = vtk_to_numpy(self.sphere.GetPoints().GetData())[:, 0]
-        array = numpy_to_vtk(numpy.ascontiguousarray(x), deep=True)
-        array.SetName("x")
-        self.sphere.GetPointData().AddArray(array)
-        ball = self.folder / "ball.vtk"
-        write(vtkPolyDataWriter(), self.sphere, ball, FileType=2)
-        options = (ball, "--size", "120x90", *NEAR, "--importance", "x:-1:1", "--optimize")
+        options = (self.write_ball(), "--size", "120x90", *NEAR, "--importance", "x:-1:1", "--optimize")
         picture, _ = self.assert_reference(*options, "--self-occlusion")
         self.assertFalse(numpy.array_equal(picture, self.render(*options)[0]))
 
@@ -105,15 +120,23 @@ class TestOptimization(OpacityTest):
         self.assertEqual(sum(statistics["importance_histogram"]["counts"]),
                          statistics["input_points"])
 
-    def test_companions_keep_their_opacity(self):
-        write(vtkPLYWriter(), self.sphere, self.folder / "sphere.ply")
-        sphere = (self.folder / "sphere.ply", "--size", "120x90", *BEHIND, "--lighting", "off")
-        alone, _ = self.render(*sphere)
-        together, statistics = self.render(self.lines, *sphere, *HEIGHT, "--optimize")
-        self.assertTrue((together[30, 45] == alone[30, 45]).all())
-        self.assertGreater(statistics["fragments"], statistics["solved_fragments"])
-        explicit, _ = self.render(self.lines, *sphere, *HEIGHT, "--optimize", "--opacity", "1")
-        self.assertFalse((explicit[30, 45] == alone[30, 45]).all())
+    def test_inputs_without_the_array_are_unimportant(self):
+        """A ball around the lines is opaque but where it would hide them, in any order of inputs."""
+        ball = self.folder / "bare.ply"
+        write(vtkPLYWriter(), self.sphere, ball)
+        options = ("--size", "120x90", *NEAR, *FLAT)
+        on_line = (30, 60)
+        opaque, _ = self.render(ball, self.lines, *options, "--opacity", "1")
+        lines, _ = self.render(self.lines, *options, "--opacity", "1")
+        hidden, _ = self.render(ball, self.lines, *options, *HEIGHT, "--q", "0", "--r", "0")
+        self.assertLessEqual(abs(hidden - opaque)[on_line].max(), 1)
+        for rule in (("--optimize",), ("--optimize", *HEIGHT), ("--avoid", "penalty")):
+            picture, statistics = self.render(ball, self.lines, *options, *rule)
+            swapped, _ = self.render(self.lines, ball, *options, *rule)
+            self.assertLessEqual(abs(picture - swapped).max(), 1)
+            self.assertEqual(statistics["importance"][0]["array"], "Height")
+            to_line, to_ball = (abs(picture - other)[on_line].max() for other in (lines, opaque))
+            self.assertLess(to_line, to_ball)
 
     def test_compare_shows_vtk_without(self):
         options = (*FLAT, "--background", "0,0,0")
@@ -128,7 +151,7 @@ class TestOptimization(OpacityTest):
 
 
 class TestDefaultImportance(OpacityTest):
-    """Without --importance, the array that colours decides from its 50th to its 99th percentile."""
+    """Without --importance, one array decides from its 50th to its 99th percentile."""
 
     def assert_default(self, name, *arguments):
         options = (*arguments, "--size", "80x60", "--optimize")
@@ -137,12 +160,13 @@ class TestDefaultImportance(OpacityTest):
             *options, "--importance", name + ":50%:99%",
             *(() if "--color-by" in arguments else ("--color-by", name)))
         self.assertTrue(numpy.array_equal(default, same))
-        self.assertEqual(statistics["importance_histogram"], expected["importance_histogram"])
+        for key in ("importance", "importance_histogram", "color_by"):
+            self.assertEqual(statistics[key], expected[key])
 
     def test_array_that_colours(self):
         self.assert_default("Height", self.lines)
         self.assert_default("Line", self.lines, "--color-by", "Line")
-        self.assert_default("SegmentLength", self.lines, "--color-by", "SegmentLength")
+        self.assert_default("SegmentLength", DATA / "combustor-lines.vtk", "--color-by", "SegmentLength")
         self.assert_default("Height", self.lines, "--color-by", "Height", "--exponent", "2")
 
     def test_importance_may_colour(self):
@@ -154,6 +178,48 @@ class TestDefaultImportance(OpacityTest):
 
     def test_ascent_of_lines_with_pressure(self):
         self.assert_default("TotalPressureDifference", DATA / "pacific.nc")
+
+    def test_colors_change_no_ascent_and_no_speed(self):
+        self.assert_default(
+            "TotalPressureDifference", DATA / "pacific.nc", "--color-by", "pressure")
+        self.assert_default(
+            "Velocity", DATA / "combustor.vtk", "--seeds", "50", "--color-by", "Density")
+
+    def test_lines_before_points_before_surfaces(self):
+        """In any order of inputs."""
+        files = {}
+        for kind in ("Lines", "Verts", "Polys"):
+            data = make_polylines([[(0, 0, 0), (1, 0, 0), (0, 1, 0)]], ((kind, (0, 1, 2)),))
+            cells = data.GetLines()
+            data.SetLines(None)
+            getattr(data, "Set" + kind)(cells)
+            files[kind] = self.folder / (kind + ".vtk")
+            write(vtkPolyDataWriter(), data, files[kind], FileType=2)
+        for kinds, expected in ((("Polys", "Verts", "Lines"), "Lines"), (("Polys", "Verts"), "Verts"),
+                                (("Verts", "Polys"), "Verts")):
+            self.assert_default(expected, *(files[kind] for kind in kinds))
+
+    def test_choice_is_told(self):
+        result = self.run_program(self.lines, "--size", "80x60", "--optimize", "-o",
+                                  self.folder / "told.png")
+        self.assertEqual(result.stdout, "Importance: Height, from 0.5 (50 %) to 1 (99 %)\n")
+
+    def test_statistics_tell_importance(self):
+        _, statistics = self.render(self.lines, "--importance", "Height:0%:100%:0.5")
+        self.assertEqual(statistics["importance"],
+                         [{"array": "Height", "minimum": 0, "maximum": 1, "weight": 0.5}])
+        _, statistics = self.render(self.lines, "--color-by", "Line")
+        self.assertEqual((statistics["importance"], statistics["color_by"]), ([], "Line"))
+
+    def test_the_same_importance_everywhere(self):
+        for option, value, arguments in (
+            ("--optimize", 0, ("--optimize", "--importance", "Height:2:3")),
+            ("--avoid", 1, ("--avoid", "penalty", "--importance", "Constant:0:1")),
+        ):
+            result = self.run_program(self.lines, "-o", self.folder / "same.png", *arguments)
+            self.assertEqual(result.returncode, 0)
+            self.assertIn(f"{option}: importance is {value} everywhere, so that nothing fades",
+                          result.stderr)
 
     def test_lines_without_quantities(self):
         self.assert_default("Curvature", DATA / "fornix.trk")

@@ -102,13 +102,14 @@ class RenderTest(unittest.TestCase):
         )
 
     def render(self, *arguments, environment=None):
-        """The picture and the statistics; the run must be silent but for progress."""
+        """The picture and the statistics; the run must be silent but for progress and choices."""
         picture = self.folder / "picture.png"
         statistics = self.folder / "statistics.json"
         picture.unlink(missing_ok=True)
         result = self.run_program(
             *arguments, "-o", picture, "--statistics", statistics, environment=environment)
-        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"\A(Importance: .*\n)?\Z")
         for line in result.stderr.splitlines():
             self.assertRegex(line, PROGRESS)
         return read_picture(picture), json.loads(statistics.read_text())
