@@ -21,11 +21,11 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <tuple>
 
@@ -460,7 +460,8 @@ void vtkExactTransparencyPass::FadeOpacities()
     gpu.HasSolved = !gpu.Opacities.StopFading() && gpu.HasSolved;
     return;
   }
-  const double now = this->FrameTime >= 0.0 ? this->FrameTime : vtkTimerLog::GetUniversalTime();
+  const std::chrono::duration<double> clock = std::chrono::steady_clock::now().time_since_epoch();
+  const double now = this->FrameTime >= 0.0 ? this->FrameTime : clock.count();
   const double seconds = std::max(now - internal.FrameTime, 0.0);
   internal.FrameTime = now;
   if (gpu.Opacities.IsFading())
