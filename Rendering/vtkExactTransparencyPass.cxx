@@ -455,13 +455,13 @@ void vtkExactTransparencyPass::FadeOpacities()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
-  if (this->FadeTime == 0.0 || !gpu.Opacities.StartFading())
+  if (!(this->FadeTime > 0.0) || !gpu.Opacities.StartFading())
   {
     gpu.HasSolved = !gpu.Opacities.StopFading() && gpu.HasSolved;
     return;
   }
   const double now = this->FrameTime >= 0.0 ? this->FrameTime : vtkTimerLog::GetUniversalTime();
-  const double seconds = std::max(now - internal.FrameTime, 0.0);
+  const double seconds = std::max(0.0, now - internal.FrameTime); // 0 also where that is NaN
   internal.FrameTime = now;
   if (gpu.Opacities.IsFading())
   {
