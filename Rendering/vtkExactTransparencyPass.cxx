@@ -642,18 +642,19 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PreReplaceShaderValues(
-  std::string& vertexShader, std::string&, std::string&, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkExactTransparencyPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string&, vtkAbstractMapper* mapper, vtkProp*)
 {
-  this->Internal->GPU->Gather.EditVertexShader(vertexShader, mapper);
+  this->Internal->GPU->Gather.EditVertexShaders(vertexShader, geometryShader, mapper);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkExactTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  this->Internal->GPU->Gather.EditFragmentShader(fragmentShader, mapper);
+  this->Internal->GPU->Gather.EditFragmentShader(
+    vertexShader, geometryShader, fragmentShader, mapper);
   return true;
 }
 
