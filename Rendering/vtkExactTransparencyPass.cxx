@@ -462,7 +462,7 @@ void vtkExactTransparencyPass::FadeOpacities()
   }
   const std::chrono::duration<double> clock = std::chrono::steady_clock::now().time_since_epoch();
   const double now = this->FrameTime >= 0.0 ? this->FrameTime : clock.count();
-  const double seconds = std::max(now - internal.FrameTime, 0.0);
+  const double seconds = std::max(0.0, now - internal.FrameTime); // 0 also where that is NaN
   internal.FrameTime = now;
   if (gpu.Opacities.IsFading())
   {
@@ -643,18 +643,19 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PreReplaceShaderValues(
-  std::string& vertexShader, std::string&, std::string&, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkExactTransparencyPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string&, vtkAbstractMapper* mapper, vtkProp*)
 {
-  this->Internal->GPU->Gather.EditVertexShader(vertexShader, mapper);
+  this->Internal->GPU->Gather.EditVertexShaders(vertexShader, geometryShader, mapper);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkExactTransparencyPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkExactTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  this->Internal->GPU->Gather.EditFragmentShader(fragmentShader, mapper);
+  this->Internal->GPU->Gather.EditFragmentShader(
+    vertexShader, geometryShader, fragmentShader, mapper);
   return true;
 }
 

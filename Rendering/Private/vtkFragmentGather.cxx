@@ -18,6 +18,7 @@
 #include "vtkSegmentOpacities.h"
 #include "vtkShaderProgram.h"
 #include "vtkSurfaceImportanceDec.h"
+#include "vtkSurfaceImportanceGS.h"
 #include "vtkSurfaceImportanceVS.h"
 #include "vtkTangentDec.h"
 
@@ -32,6 +33,15 @@ constexpr const char* Extensions = "//VTK::System::Dec\n"
                                    "#extension GL_ARB_shader_storage_buffer_object : require\n"
                                    "#extension GL_ARB_shading_language_420pack : require\n"
                                    "#extension GL_ARB_shader_bit_encoding : require\n";
+
+// Where importances join the positions that VTK passes from shader to shader.
+constexpr const char* PositionDeclarations = "//VTK::PositionVC::Dec";
+constexpr const char* PositionImplementation = "//VTK::PositionVC::Impl";
+
+bool PassesImportance(const std::string& shader)
+{
+  return shader.find("pellucidPassImportance") != std::string::npos;
+}
 
 // Whether the shader assigns its depth; VTK's template names gl_FragDepth in a comment in any case.
 bool WritesDepth(const std::string& fragmentShader)
@@ -97,24 +107,32 @@ bool vtkFragmentGather::NeedsImportance(vtkAbstractMapper* mapper) const
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentGather::EditVertexShader(std::string& vertexShader, vtkAbstractMapper* mapper) const
+void vtkFragmentGather::EditVertexShaders(
+  std::string& vertexShader, std::string& geometryShader, vtkAbstractMapper* mapper) const
 {
   // Mappers of composite data and glyphs come twice.
-  const bool isEdited = vertexShader.find("pellucidPassImportance") != std::string::npos;
-  if (this->NeedsImportance(mapper) && !isEdited)
+  if (!this->NeedsImportance(mapper) || PassesImportance(vertexShader))
   {
-    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Dec",
-      std::string(vtkSurfaceImportanceVS) + "//VTK::PositionVC::Dec", false);
-    vtkShaderProgram::Substitute(vertexShader, "//VTK::PositionVC::Impl",
-      "pellucidPassImportance();\n//VTK::PositionVC::Impl", false);
+    return;
   }
+  const auto edit = [](std::string& shader, const char* declarations, const char* call)
+  {
+    vtkShaderProgram::Substitute(
+      shader, PositionDeclarations, std::string(declarations) + PositionDeclarations, false);
+    vtkShaderProgram::Substitute(
+      shader, PositionImplementation, std::string(call) + PositionImplementation, false);
+  };
+  edit(vertexShader, vtkSurfaceImportanceVS, "pellucidPassImportance();\n");
+  edit(geometryShader, vtkSurfaceImportanceGS, "pellucidPassImportance(i);\n");
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentGather::EditFragmentShader(
-  std::string& fragmentShader, vtkAbstractMapper* mapper) const
+void vtkFragmentGather::EditFragmentShader(const std::string& vertexShader,
+  const std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper) const
 {
-  const bool needsImportance = this->NeedsImportance(mapper);
+  // Impostors have shaders without a place for it: their fragments are unimportant.
+  const bool needsImportance = this->NeedsImportance(mapper) && PassesImportance(vertexShader) &&
+    (geometryShader.empty() || PassesImportance(geometryShader));
   const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
   const std::string declarations =
     vtkFragmentLists::GetShaderDefinitions(this->Samples, this->StoresImportance) +

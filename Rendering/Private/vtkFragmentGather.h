@@ -52,8 +52,10 @@ public:
 
   ///@{
   /** The hooks, while DrawProps() runs. */
-  void EditVertexShader(std::string& vertexShader, vtkAbstractMapper* mapper) const;
-  void EditFragmentShader(std::string& fragmentShader, vtkAbstractMapper* mapper) const;
+  void EditVertexShaders(
+    std::string& vertexShader, std::string& geometryShader, vtkAbstractMapper* mapper) const;
+  void EditFragmentShader(const std::string& vertexShader, const std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper) const;
   void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper);
   vtkMTimeType GetShaderTime() const { return this->ShaderTime; }
   ///@}

@@ -52,11 +52,12 @@ vtkDataArray* GetSurfaceNeighbors(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-// The helpers of VTK's mappers of composite data, and of glyphs, get no vertex attributes.
+// The helpers of VTK's mappers of composite data, of glyphs and of impostors get no vertex
+// attributes.
 bool BringsImportance(vtkMapper* mapper)
 {
   return vtkTrajectoryMapper::SafeDownCast(mapper) ||
-    (vtkPolyDataMapper::SafeDownCast(mapper) &&
+    (vtkPolyDataMapper::SafeDownCast(mapper) && !vtkOptimizedScene::DrawsImpostors(mapper) &&
       vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)));
 }
 
@@ -134,12 +135,12 @@ vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>&
     {
       continue;
     }
+    actor->GetMapper()->Update();
     if (!BringsImportance(actor->GetMapper()))
     {
       unsupported.insert(actor->GetMapper()->GetClassName());
       continue;
     }
-    actor->GetMapper()->Update();
     const bool optimizes = vtkOpacityOptimization::SafeDownCast(settings) != nullptr;
     Source source{ prop, actor->GetMapper(), settings, settings->GetMTime(), optimizes, {}, {} };
     source.Leaves =
@@ -224,6 +225,13 @@ void vtkOptimizedScene::AddActor(const Source& source)
     }
     member.Parts.push_back(part);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOptimizedScene::DrawsImpostors(vtkMapper* mapper)
+{
+  return mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
+    mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLFluidMapper");
 }
 
 //------------------------------------------------------------------------------

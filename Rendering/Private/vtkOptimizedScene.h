@@ -151,6 +151,9 @@ public:
   std::vector<std::string> TakeUnsupportedMappers() { return this->UnsupportedMappers.Take(); }
   ///@}
 
+  /** Whether a poly data mapper draws something else than the cells of its input. */
+  static bool DrawsImpostors(vtkMapper* mapper);
+
   /** Whether the arrays of vtkTrajectorySegments are there. */
   static bool HasLineSegments(vtkPolyData* data);
 

@@ -111,13 +111,6 @@ bool HasBlockAttributes(vtkCompositeDataDisplayAttributes* attributes)
     (attributes->HasBlockVisibilities() || attributes->HasBlockColors() ||
       attributes->HasBlockOpacities());
 }
-
-/** Mappers that are poly data mappers but draw something else than the cells of their input. */
-bool DrawsImpostors(vtkMapper* mapper)
-{
-  return mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
-    mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLFluidMapper");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -300,7 +293,7 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
     return;
   }
   vtkProperty* property = actor->GetProperty();
-  if (DrawsImpostors(mapper) || actor->GetCoordinateSystem() != vtkProp3D::WORLD)
+  if (vtkOptimizedScene::DrawsImpostors(mapper) || actor->GetCoordinateSystem() != vtkProp3D::WORLD)
   {
     this->Omit(mapper->GetClassName());
     return;

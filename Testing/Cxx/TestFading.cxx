@@ -7,7 +7,11 @@
 #include "ReferenceTesting.h"
 #include "SegmentedScene.h"
 
+#include "vtkImageData.h"
 #include "vtkPlaneSource.h"
+#include "vtkTexture.h"
+
+#include <limits>
 
 namespace
 {
@@ -148,6 +152,129 @@ void TestMovedView(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// A fade goes on where actors leave the view and come back.
+void TestCulledActor(Checks& checks)
+{
+  Scene still(0.0);
+  still.Render(0.0);
+  const std::vector<double> start = still.GetOpacities();
+  still.Optimization->SetOcclusionWeight(Weight);
+  const Picture last = still.Render(0.0);
+  const std::vector<double> aim = still.GetOpacities();
+  still.Surface->SetPosition(100.0, 0.0, 0.0);
+  still.Render(0.0);
+  const std::vector<double> aimAlone = still.GetOpacities();
+
+  Scene scene(FadeTime);
+  OpenGLDebugOutput debugOutput(scene.Window);
+  scene.Render(0.0);
+  scene.Optimization->SetOcclusionWeight(Weight);
+  scene.Render(1.0);
+  scene.Surface->SetPosition(100.0, 0.0, 0.0);
+  scene.Render(2.0);
+  // Of lines that are seen in all frames.
+  const auto compare = [&](const std::string& name, const std::vector<double>& expected)
+  {
+    const std::vector<double> found = scene.GetOpacities();
+    int seen = 0;
+    for (std::size_t i = 0; i < 100; ++i)
+    {
+      if (start[i] >= 0.0 && aim[i] >= 0.0 && aimAlone[i] >= 0.0)
+      {
+        checks.Near(name + std::to_string(i), found.at(i), expected[i], 1e-5);
+        ++seen;
+      }
+    }
+    checks.True(name + "nothing is seen", seen > 50 && scene.IsFading());
+  };
+  const double part = std::exp(-1.0 / FadeTime);
+  std::vector<double> expected = start;
+  const auto follow = [&](const std::vector<double>& target)
+  {
+    for (std::size_t i = 0; i < 100; ++i)
+    {
+      expected[i] = target[i] + part * (expected[i] - target[i]);
+    }
+  };
+  follow(aim);
+  compare("out of view, segment ", expected);
+  scene.Surface->SetPosition(0.0, 0.0, 0.0);
+  scene.Render(3.0);
+  follow(aimAlone);
+  compare("back in view, segment ", expected);
+  checks.True("the end after both", scene.Render(100.0) == last && !scene.IsFading());
+}
+
+//------------------------------------------------------------------------------
+// Scenes that are gathered and solved in every frame.
+void TestUncertainScene(Checks& checks)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 12, 180);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  Scene scene(FadeTime);
+  Scene still(0.0);
+  for (Scene* textured : { &scene, &still })
+  {
+    textured->AddSphere(3, 1.0)->SetTexture(texture);
+  }
+  still.Optimization->SetOcclusionWeight(Weight);
+  const Picture last = still.Render(0.0);
+  OpenGLDebugOutput debugOutput(scene.Window);
+  scene.Render(0.0);
+  scene.Optimization->SetOcclusionWeight(Weight);
+  scene.Render(1.0);
+  Picture picture;
+  double time = 1.0;
+  do
+  {
+    time += 0.3 * FadeTime;
+    picture = scene.Render(time);
+    checks.True("a textured scene: " + GetStages(scene.Pass), RanStage(scene.Pass, "gather"));
+  } while (scene.IsFading() && time < 20.0 * FadeTime);
+  checks.True("a textured scene fades until " + std::to_string(time), time < 1.0 + 8.5 * FadeTime);
+  checks.True("a textured scene: the end", picture == last);
+}
+
+//------------------------------------------------------------------------------
+// Times that are no time of a film are those of the clock; what is no number does no harm.
+void TestOddTimes(Checks& checks)
+{
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& [time, fadeTime] :
+    std::vector<std::pair<double, double>>{
+      { notANumber, FadeTime }, { -5.0, FadeTime }, { infinity, FadeTime }, { 9.0, notANumber } })
+  {
+    const std::string name =
+      "time " + std::to_string(time) + ", fade time " + std::to_string(fadeTime) + ": ";
+    Scene scene(FadeTime);
+    scene.Render(0.0);
+    scene.Pass->SetFadeTime(fadeTime);
+    for (const double weight : { Weight, 1.0, Weight })
+    {
+      scene.Optimization->SetOcclusionWeight(weight);
+      scene.Render(time);
+      scene.Render(time);
+      const std::vector<double> found = scene.GetOpacities();
+      checks.True(name + "not an opacity",
+        std::all_of(found.begin(), found.end(),
+          [](double opacity) { return opacity == -1.0 || (opacity >= 0.0 && opacity <= 1.0); }));
+    }
+  }
+  // The clock is far ahead of the film.
+  Scene scene(FadeTime);
+  scene.Render(0.0);
+  scene.Optimization->SetOcclusionWeight(Weight);
+  scene.Render(1.0);
+  scene.Render(notANumber);
+  checks.True("NaN is not the clock", !scene.IsFading());
+}
+
+//------------------------------------------------------------------------------
 // Corners of surfaces: with one faded layer before an important one, colours follow as opacities
 // do.
 void TestSurface(Checks& checks)
@@ -242,6 +369,9 @@ int TestFading(int, char*[])
   TestChangedWeight(checks, 1);
   TestChangedWeight(checks, 10);
   TestMovedView(checks);
+  TestCulledActor(checks);
+  TestUncertainScene(checks);
+  TestOddTimes(checks);
   TestSurface(checks);
   TestInterruptions(checks);
   return checks.Result();

@@ -3,10 +3,9 @@
 
 // A memory limit divides the frame into tiles without changing a bit, holds the lists within the
 // limit, and is exceeded, with a warning, only by the list of a single pixel.
+#include "FrameStages.h"
 #include "LayerStack.h"
-#include "OpenGLDebugOutput.h"
-#include "Picture.h"
-#include "SphereScene.h"
+#include "SegmentedScene.h"
 
 #include "vtkExactTransparencyPass.h"
 #include "vtkTestErrorObserver.h"
@@ -67,6 +66,32 @@ bool TestOnePixel()
   passed &= Check(!observer->GetWarning(), "the warning is repeated");
   return passed;
 }
+
+// Importance makes nodes larger.
+bool TestLaterImportance()
+{
+  SphereScene scene(401, 299, 0, 40, 0);
+  OpenGLDebugOutput debugOutput(scene.Window);
+  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
+  const auto render = [&]
+  {
+    Picture::Render(scene.Window);
+    return pass->GetStatistics()->GetBufferBytes() - 401 * 299 * 8;
+  };
+  const vtkIdType bytesPerMiB = 1024 * 1024;
+  const int limit = static_cast<int>(render() / bytesPerMiB) + 1;
+  pass->SetMemoryLimit(limit);
+  bool passed = Check(render() <= limit * bytesPerMiB && pass->GetStatistics()->GetTiles() == 1,
+    "all in the limit, without importance");
+  Optimize(AddSurface<vtkPolyDataMapper>(scene, MakeSegmentedSphere(0.5, Wave), 0.9), 400.0, 50.0,
+    2.0, 5, false);
+  const vtkIdType bytes = render();
+  const vtkIdType tables = bytesPerMiB / 2; // of the segments
+  passed &= Check(bytes <= limit * bytesPerMiB + tables && RanStage(pass, "solve"),
+    "lists with importance take " + std::to_string(bytes) + " bytes of " + std::to_string(limit) +
+      " MiB");
+  return passed;
+}
 }
 
 int TestMemoryLimit(int, char*[])
@@ -74,5 +99,6 @@ int TestMemoryLimit(int, char*[])
   bool passed = TestSameBits(0);
   passed &= TestSameBits(4);
   passed &= TestOnePixel();
+  passed &= TestLaterImportance();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -189,6 +189,33 @@ bool TestLists()
 }
 
 //------------------------------------------------------------------------------
+// Sums of weights may be infinite in single precision; opacities are not, nor NaN.
+bool TestHugeWeights()
+{
+  bool success = true;
+  for (const int length : { 4, 40, 3000 })
+  {
+    Scene scene(length);
+    OpenGLDebugOutput debugOutput(scene.Window);
+    scene.SetImportances([](int i) { return 0.5 * (i % 3); });
+    for (const double weight : { 1e20, 1e38, static_cast<double>(VTK_FLOAT_MAX), VTK_DOUBLE_MAX })
+    {
+      scene.SetWeights(weight, weight, 2.0);
+      const std::string name = std::to_string(length) + " balls of huge weights";
+      success &= Check(scene.Compare() <= Tolerance, name + " are off");
+      const auto found = scene.Pass->GetOptimizedOpacities(scene.Actor);
+      for (vtkIdType i = 0; i < length; ++i)
+      {
+        const double opacity = found->GetValue(i);
+        success &= Check(i % 3 == 2 ? opacity == 1.0 : (opacity >= 0.0 && opacity <= 1.0),
+          name + ": opacity " + std::to_string(opacity));
+      }
+    }
+  }
+  return success;
+}
+
+//------------------------------------------------------------------------------
 bool TestSkippedStages()
 {
   Scene scene(20);
@@ -218,6 +245,6 @@ bool TestSkippedStages()
 //------------------------------------------------------------------------------
 int TestOpacityOptimization(int, char*[])
 {
-  const bool success = TestLists() & TestSkippedStages();
+  const bool success = TestLists() & TestHugeWeights() & TestSkippedStages();
   return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -204,6 +204,27 @@ void TestAnyNumber(Checks& checks)
   }
 }
 
+template <typename Real>
+void TestHugeWeights(Checks& checks)
+{
+  for (const Real weight : { Real(1e38), std::numeric_limits<Real>::max() })
+  {
+    const pellucid::OpacityParameters<Real> parameters{ weight, weight, 2, false };
+    std::vector<pellucid::OpacityFragment<Real>> list;
+    for (int i = 0; i < 12; ++i)
+    {
+      list.push_back({ Real(0.5) * Real(i % 3), i, &parameters });
+    }
+    std::vector<Real> opacities;
+    pellucid::SolveOpacities(list, opacities);
+    for (std::size_t i = 0; i < list.size(); ++i)
+    {
+      checks.True("huge weights: opacity " + std::to_string(opacities[i]),
+        i % 3 == 2 ? opacities[i] == 1 : (opacities[i] >= 0 && opacities[i] < Real(1e-6)));
+    }
+  }
+}
+
 void TestObjects(Checks& checks)
 {
   // One important fragment between two of other objects: each goes by its own weights.
@@ -255,6 +276,8 @@ int TestOpacitySolution(int, char*[])
   TestManyFragments(checks);
   TestMonotony(checks);
   TestAnyNumber(checks);
+  TestHugeWeights<float>(checks);
+  TestHugeWeights<double>(checks);
   TestObjects(checks);
   TestSelfOcclusion(checks);
   return checks.Result();

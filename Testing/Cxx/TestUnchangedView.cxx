@@ -13,6 +13,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkSelection.h"
+#include "vtkShaderProperty.h"
+#include "vtkUniforms.h"
 #include "vtkWindowToImageFilter.h"
 
 namespace
@@ -166,6 +168,8 @@ bool TestOtherChanges()
     { "r", [](Scene& s) { s.Optimization->SetClutterWeight(0.0); }, SolvedStages },
     { "lambda", [](Scene& s) { s.Optimization->SetEmphasis(1.0); }, SolvedStages },
     { "s", [](Scene& s) { s.Optimization->SetSmoothingIterations(40); }, SolvedStages },
+    { "s = 0", [](Scene& s) { s.Optimization->SetSmoothingIterations(0); },
+      "opaque copy solve resolve " },
     { "self-occlusion", [](Scene& s) { s.Optimization->SelfOcclusionOn(); }, SolvedStages },
     { "background", [](Scene& s) { s.Renderer->SetBackground(0.2, 1.0, 0.0); }, UnchangedStages },
     { "view", [](Scene& s) { s.Pass->SetView(vtkExactTransparencyPass::VIEW_IMPORTANCE); },
@@ -214,6 +218,62 @@ bool TestAvoidanceChanges()
   {
     passed &= TestChange(change, [](Scene& s) { Avoid(s.Lines, 0, false); });
   }
+  return passed;
+}
+
+//------------------------------------------------------------------------------
+bool TestAvoidanceAlone()
+{
+  const auto prepare = [](Scene& s)
+  {
+    Avoid(s.Surface, 0, false);
+    Avoid(s.Lines, 1, false);
+  };
+  const std::vector<Case> cases = {
+    { "camera alone", [](Scene& s) { s.Renderer->GetActiveCamera()->Azimuth(20.0); },
+      "opaque copy gather sort avoid resolve " },
+    { "penalty alone",
+      [](Scene& s) {
+        vtkOcclusionAvoidance::SafeDownCast(vtkOcclusionAvoidance::Get(s.Surface))->SetPenalty(0.9);
+      },
+      "opaque copy avoid resolve " },
+  };
+  bool passed = true;
+  for (const Case& change : cases)
+  {
+    passed &= TestChange(change, prepare);
+  }
+  return passed;
+}
+
+//------------------------------------------------------------------------------
+// What shaders read beside the scene.
+bool TestShaderInput()
+{
+  const Case uniform{ "custom uniform",
+    [](Scene& s)
+    { s.Surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("factor", 0.4f); },
+    GatheredStages };
+  bool passed = TestChange(uniform,
+    [](Scene& s)
+    {
+      vtkShaderProperty* shader = s.Surface->GetShaderProperty();
+      shader->AddFragmentShaderReplacement(
+        "//VTK::Color::Impl", true, "//VTK::Color::Impl\n  diffuseColor *= factor;\n", false);
+      shader->GetFragmentCustomUniforms()->SetUniformf("factor", 0.9f);
+    });
+  double factor = 0.0;
+  double units = 0.0;
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(factor, units);
+  const auto setOffset = [](int mode, double offsetFactor, double offsetUnits)
+  {
+    vtkMapper::SetResolveCoincidentTopology(mode);
+    vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(offsetFactor, offsetUnits);
+  };
+  const auto restore = [&](Scene&) { setOffset(VTK_RESOLVE_OFF, factor, units); };
+  const auto offset = [&](Scene&) { setOffset(VTK_RESOLVE_POLYGON_OFFSET, 50.0, 50000.0); };
+  passed &= TestChange({ "coincident topology", offset, GatheredStages }, restore);
+  setOffset(VTK_RESOLVE_OFF, factor, units);
   return passed;
 }
 
@@ -325,6 +385,8 @@ int TestUnchangedView(int, char*[])
   bool passed = TestGeometryChanges();
   passed &= TestOtherChanges();
   passed &= TestAvoidanceChanges();
+  passed &= TestAvoidanceAlone();
+  passed &= TestShaderInput();
   passed &= TestNothingChanges();
   passed &= TestUncertainProps();
   passed &= TestChangesMeanwhile();
