@@ -213,12 +213,12 @@ void TestUncertainScene(Checks& checks)
   image->SetDimensions(2, 2, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 12, 180);
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
   Scene scene(FadeTime);
   Scene still(0.0);
   for (Scene* textured : { &scene, &still })
   {
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(image);
     textured->AddSphere(3, 1.0)->SetTexture(texture);
   }
   still.Optimization->SetOcclusionWeight(Weight);
