@@ -316,8 +316,11 @@ void vtkExactTransparencyPass::RenderTranslucentGeometry(const vtkRenderState* s
   // Of all tiles: the next sweep counts anew.
   const vtkIdType longestList = gpu.Sweep.GetLongestList();
   gpu.Sweep.Run(1, [this, longestList] { this->Resolve(longestList); });
-  // Now, because what is drawn for the first time changes: lookup tables are built.
-  internal.Signature = vtkSceneSignature(state, picture);
+  if (gpu.Sweep.GetNumberOfGathers() > 0)
+  {
+    // Now, because what is drawn for the first time changes: lookup tables are built.
+    internal.Signature = vtkSceneSignature(state, picture);
+  }
   gpu.Opaque.Deactivate(internal.State);
   vtkFragmentLists::Unbind();
   vtkSegmentOpacities::Unbind();

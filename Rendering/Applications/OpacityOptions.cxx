@@ -62,8 +62,7 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
   group.AddChoice("--preset", options.Preset, presets,
     "Settings of the optimisation: clear-front (default), what hides goes; balanced, more of the "
     "surroundings stays; focus, little but the important stays; clear-back, a quiet background; "
-    "points, for particles. "
-    "This and the following five imply --optimize");
+    "points, for particles. This and the following five imply --optimize");
   group.AddNumber("--q", options.OcclusionWeight, 0.0, OptionGroup::Unbounded, "Q",
     "How much fades what lies in front of something important, at least 0; published: 50 to 1000; "
     "default: the preset's");
@@ -81,8 +80,7 @@ void AddOptimizationOptions(OptionGroup& group, OpacityOptions& options)
   group.AddInteger("--gather-scale", options.GatherScale, 1, 4, "N",
     "Find the opacities in a picture of 1/N of the width and height, 1 to 4: fewer fragments to "
     "solve, but the geometry is drawn twice, and thin things may be missed. Pays only where "
-    "pixels, "
-    "not geometry, cost the time; default 1");
+    "pixels, not geometry, cost the time; default 1");
 }
 
 //------------------------------------------------------------------------------
