@@ -32,6 +32,13 @@ constexpr int GetNumberOfListLevels()
 
 static_assert(sizeof(vtkIdType) == 8, "fragment counts need VTK_USE_64BIT_IDS");
 
+vtkIdType GetHeadsBytes(const std::array<int, 2>& tileSize)
+{
+  const vtkIdType pixels = static_cast<vtkIdType>(tileSize[0]) * tileSize[1];
+  return static_cast<vtkIdType>(sizeof(vtkFragmentLists::Counters)) +
+    (pixels + vtkFragmentLists::GetNumberOfBlocks(tileSize)) * vtkFragmentLists::BytesPerPixel;
+}
+
 /** Maps a whole buffer, if there is one, for the life of the object. */
 template <typename T>
 class MappedBuffer
@@ -82,10 +89,21 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImpor
   // The sort takes up to one run more before it leaves a list to the CPU.
   definitions.Define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
   definitions.Define("COLLAPSED", CollapsedBit);
+  definitions.Define("TIED", TiedBit);
+  definitions.Define("BLOCK_SIDE", BlockSide);
+  definitions.Define("BLOCK_HAS_FRAGMENTS", BlockHasFragments);
+  definitions.Define("BLOCK_HAS_TIES", BlockHasTies);
   definitions.Define("RUN_LENGTH", RunLength);
   definitions.Define("LIST_LEVELS", GetNumberOfListLevels());
   definitions.Define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
   return definitions.GetText();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::GetNumberOfBlocks(const std::array<int, 2>& tileSize)
+{
+  const auto count = [](int pixels) { return (pixels + BlockSide - 1) / BlockSide; };
+  return static_cast<vtkIdType>(count(tileSize[0])) * count(tileSize[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -112,12 +130,11 @@ bool vtkFragmentLists::Allocate(Buffer buffer, vtkIdType bytes)
 
 //------------------------------------------------------------------------------
 bool vtkFragmentLists::Reserve(
-  vtkIdType pixels, vtkIdType nodes, int samples, bool storesImportance)
+  const std::array<int, 2>& tileSize, vtkIdType nodes, int samples, bool storesImportance)
 {
   const vtkIdType nodeElements = std::max(nodes, this->NodeCapacity) + 1;
   const vtkIdType longLists = nodeElements / MaximumShaderList + 1;
-  const bool allocated =
-    this->Allocate(Heads, static_cast<vtkIdType>(sizeof(Counters)) + pixels * BytesPerPixel) &&
+  const bool allocated = this->Allocate(Heads, GetHeadsBytes(tileSize)) &&
     this->Allocate(Links, nodeElements * static_cast<vtkIdType>(sizeof(Link))) &&
     this->Allocate(Colors, nodeElements * static_cast<vtkIdType>(sizeof(Color))) &&
     this->Allocate(
@@ -141,13 +158,12 @@ vtkIdType vtkFragmentLists::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentLists::Clear(vtkIdType pixels)
+void vtkFragmentLists::Clear(const std::array<int, 2>& tileSize)
 {
   const GLuint zero = 0;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handles[Heads]);
-  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
-    static_cast<GLsizeiptr>(sizeof(Counters)) + pixels * BytesPerPixel, GL_RED_INTEGER,
-    GL_UNSIGNED_INT, &zero);
+  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, GetHeadsBytes(tileSize),
+    GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 

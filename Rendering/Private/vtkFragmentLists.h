@@ -6,7 +6,7 @@
  *
  * | buffer     | element | content                                                            |
  * | ---------- | ------- | ------------------------------------------------------------------ |
- * | Heads      | uint    | five counters, then the first node of each pixel of the tile       |
+ * | Heads      | uint    | counters, first node of each pixel, flags of each block of pixels  |
  * | Links      | uvec2   | next node (0: none), window depth as bits                          |
  * | Colors     | uvec2   | straight colour and opacity, 64 bits                               |
  * | LongLists  | uint    | lists for the CPU: pixel, then opaque depth of each sample         |
@@ -46,8 +46,20 @@ public:
   static constexpr vtkIdType BytesPerOptimizedNode = 32;
   static constexpr vtkIdType BytesPerPixel = 4;
 
+  ///@{
+  /** Squares of pixels know whether they have fragments, and of equal depth, so that stages can
+   * pass over the others. */
+  static constexpr int BlockSide = 16;
+  static constexpr std::uint32_t BlockHasFragments = 1u;
+  static constexpr std::uint32_t BlockHasTies = 2u;
+  static vtkIdType GetNumberOfBlocks(const std::array<int, 2>& tileSize);
+  ///@}
+
   /** In a head: the CPU has collapsed the list. */
   static constexpr std::uint32_t CollapsedBit = 0x80000000u;
+
+  /** In a head while lists are sorted: there are fragments of equal depth. */
+  static constexpr std::uint32_t TiedBit = 0x80000000u;
 
   struct Counters
   {
@@ -56,6 +68,7 @@ public:
     std::uint32_t LongestList = 0;
     std::uint32_t LongLists = 0;
     std::uint32_t SolvedFragments = 0;
+    std::uint32_t HasTies = 0;
 
     vtkIdType GetFragments() const
     {
@@ -113,15 +126,16 @@ public:
   static vtkIdType GetLargestNodeCapacity();
 
   /**
-   * Make room for the heads of so many pixels and so many nodes; never shrinks. Returns false, with
-   * the old capacity untouched or 0, when OpenGL is out of memory.
+   * Make room for the heads of a tile and so many nodes; never shrinks. Returns false, with the old
+   * capacity untouched or 0, when OpenGL is out of memory.
    */
-  bool Reserve(vtkIdType pixels, vtkIdType nodes, int samples, bool storesImportance);
+  bool Reserve(
+    const std::array<int, 2>& tileSize, vtkIdType nodes, int samples, bool storesImportance);
   vtkIdType GetNodeCapacity() const { return this->NodeCapacity; }
   vtkIdType GetBytes() const;
 
-  /** Empty the lists of so many pixels and the counters. */
-  void Clear(vtkIdType pixels);
+  /** Empty the lists of a tile and the counters. */
+  void Clear(const std::array<int, 2>& tileSize);
   void Bind() const;
   static void Unbind();
   Counters ReadCounters() const;

@@ -5,6 +5,7 @@
 
 #include "vtkExactTransparencyPass.h"
 #include "vtkFragmentAvoidFS.h"
+#include "vtkFragmentBlocksVS.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
@@ -13,6 +14,8 @@
 #include "vtkFragmentSortFS.h"
 #include "vtkOpaqueDepthDec.h"
 #include "vtkOpaqueLayer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkOptimizedOpacityDec.h"
 #include "vtkPictureViewDec.h"
 #include "vtkPixelAttributes.h"
@@ -43,6 +46,15 @@ std::string GetViewDefinitions(const vtkPictureView& view)
   definitions.Define("VIEW_LAYER", static_cast<int>(Pass::VIEW_LAYER));
   return definitions.GetText();
 }
+
+//------------------------------------------------------------------------------
+// OpenGL 4.3 does not ask for storage buffers in vertex shaders. Without, all pixels are drawn.
+bool CanReadBlocks()
+{
+  GLint buffers = 0;
+  glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &buffers);
+  return buffers > 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -54,9 +66,11 @@ void vtkFragmentStages::SetTile(vtkShaderProgram* program, const vtkPixelRectang
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const char* fragmentShader, const std::string& moreDefinitions,
-  const std::function<void(vtkShaderProgram*)>& setMoreUniforms)
+  const vtkPixelRectangle& tile, std::uint32_t blocks, const char* fragmentShader,
+  const std::string& moreDefinitions, const vtkStageDraw::SetUniforms& setMoreUniforms)
 {
+  vtkShaderDefinitions blockDefinitions;
+  blockDefinitions.Define("DRAWN_BLOCKS", blocks);
   const std::string definitions =
     vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->StoresImportance) +
     vtkSegmentOpacities::GetShaderDefinitions() + moreDefinitions;
@@ -76,15 +90,33 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Tangent", vtkTangentDec);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Attributes", vtkPixelAttributesDec);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::View", vtkPictureViewDec);
-  this->Stage.Draw(window, source,
+  const auto setUniforms = [&](vtkShaderProgram* program)
+  {
+    vtkFragmentStages::SetTile(program, tile);
+    opaque.SetUniforms(program);
+    if (setMoreUniforms)
+    {
+      setMoreUniforms(program);
+    }
+  };
+  if (blocks == 0 || !CanReadBlocks())
+  {
+    this->Stage.Draw(window, source, setUniforms);
+    return;
+  }
+  std::string vertexShader = vtkFragmentBlocksVS;
+  vtkShaderProgram::Substitute(
+    vertexShader, "//VTK::Pellucid::Definitions", definitions + blockDefinitions.GetText());
+  vtkShaderProgram::Substitute(vertexShader, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
+  this->Stage.DrawQuads(window,
+    static_cast<GLsizei>(vtkFragmentLists::GetNumberOfBlocks(tile.Size)), vertexShader, source,
     [&](vtkShaderProgram* program)
     {
-      vtkFragmentStages::SetTile(program, tile);
-      opaque.SetUniforms(program);
-      if (setMoreUniforms)
-      {
-        setMoreUniforms(program);
-      }
+      std::array<int, 4> viewport{};
+      window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+      program->SetUniform2i("pellucidViewportOrigin", viewport.data());
+      program->SetUniform2i("pellucidViewportSize", viewport.data() + 2);
+      setUniforms(program);
     });
 }
 
@@ -92,7 +124,17 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
 void vtkFragmentStages::Sort(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentSortFS);
+  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentSortFS,
+    "#define PELLUCID_BREAK_TIES 0\n");
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStages::BreakTies(
+  vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
+{
+  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasTies, vtkFragmentSortFS,
+    "#define PELLUCID_BREAK_TIES 1\n");
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -100,15 +142,16 @@ void vtkFragmentStages::Sort(
 void vtkFragmentStages::Solve(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentSolveFS);
+  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentSolveFS);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::DrawAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-  const vtkPixelRectangle& tile, const char* fragmentShader, const vtkPixelAttributes& attributes)
+  const vtkPixelRectangle& tile, std::uint32_t blocks, const char* fragmentShader,
+  const vtkPixelAttributes& attributes)
 {
-  this->Draw(window, opaque, tile, fragmentShader,
+  this->Draw(window, opaque, tile, blocks, fragmentShader,
     vtkPixelAttributes::GetShaderDefinitions(attributes.Smooths()),
     [&attributes](vtkShaderProgram* program) { attributes.SetUniforms(program); });
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -118,14 +161,15 @@ void vtkFragmentStages::DrawAttributes(vtkOpenGLRenderWindow* window, const vtkO
 void vtkFragmentStages::FindAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
   const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
 {
-  this->DrawAttributes(window, opaque, tile, vtkPixelAttributesFS, attributes);
+  this->DrawAttributes(window, opaque, tile, 0, vtkPixelAttributesFS, attributes);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::Avoid(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
   const vtkPixelRectangle& tile, const vtkPixelAttributes& attributes)
 {
-  this->DrawAttributes(window, opaque, tile, vtkFragmentAvoidFS, attributes);
+  this->DrawAttributes(
+    window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentAvoidFS, attributes);
 }
 
 //------------------------------------------------------------------------------
@@ -138,10 +182,12 @@ void vtkFragmentStages::Resolve(vtkOpenGLRenderWindow* window, const vtkOpaqueLa
     program->SetUniformi("pellucidLongestOfPicture", static_cast<int>(view.LongestList));
   };
   const std::string definitions = GetViewDefinitions(view) + "#define PELLUCID_SAMPLE_SHADING ";
-  this->Draw(window, opaque, tile, vtkFragmentResolveFS, definitions + "0\n", setView);
+  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentResolveFS,
+    definitions + "0\n", setView);
   if (opaque.GetSamples() > 1)
   {
-    this->Draw(window, opaque, tile, vtkFragmentResolveFS, definitions + "1\n", setView);
+    this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentResolveFS,
+      definitions + "1\n", setView);
   }
 }
 

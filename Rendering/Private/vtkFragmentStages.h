@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The image-space stages on the fragment lists of one tile. Each draws one
- * triangle over the tile with a program of its own.
+ * The image-space stages on the fragment lists of one tile. Each draws the tile, or the blocks of
+ * it that have fragments, with a program of its own.
  */
 
 #ifndef vtkFragmentStages_h
@@ -12,7 +12,7 @@
 #include "vtkPictureView.h"
 #include "vtkStageDraw.h"
 
-#include <functional>
+#include <cstdint>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -30,12 +30,17 @@ public:
   vtkFragmentStages(const vtkFragmentStages&) = delete;
   void operator=(const vtkFragmentStages&) = delete;
 
+  ///@{
   /**
-   * Sort the lists of the tile in place. The framebuffer must have no colour buffer, or colour
-   * writes must be off.
+   * Sort the lists of the tile by depth, in place. The framebuffer must have no colour buffer, or
+   * colour writes must be off. Where that has counted ties, the second must follow: it orders the
+   * fragments of equal depth.
    */
   void Sort(
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+  void BreakTies(
+    vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+  ///@}
 
   /**
    * Find the optimal opacity of the fragments of sorted lists, and of these the least one of each
@@ -71,13 +76,14 @@ public:
   void Release();
 
 private:
+  /** Draws blocks that have one of these flags of vtkFragmentLists; 0: the whole tile. */
   void Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const vtkPixelRectangle& tile, std::uint32_t blocks, const char* fragmentShader,
     const std::string& moreDefinitions = std::string(),
-    const std::function<void(vtkShaderProgram*)>& setMoreUniforms = {});
+    const vtkStageDraw::SetUniforms& setMoreUniforms = {});
 
   void DrawAttributes(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
-    const vtkPixelRectangle& tile, const char* fragmentShader,
+    const vtkPixelRectangle& tile, std::uint32_t blocks, const char* fragmentShader,
     const vtkPixelAttributes& attributes);
 
   bool StoresImportance = false;

@@ -95,14 +95,13 @@ void vtkFragmentSweep::Run(int scale, const std::function<void()>& work)
 bool vtkFragmentSweep::Fill()
 {
   const vtkPixelRectangle tile = this->Tile;
-  const vtkIdType pixels = tile.GetNumberOfPixels();
   vtkFragmentTiles& tiles = *this->SweepTiles;
   vtkIdType fragments = 0;
-  vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * pixels);
+  vtkIdType nodes = std::min(tiles.GetNodeLimit(), FirstNodesPerPixel * tile.GetNumberOfPixels());
   do
   {
     if (!this->Lists.Reserve(
-          pixels, nodes, this->Current.Opaque->GetSamples(), this->Current.StoresImportance))
+          tile.Size, nodes, this->Current.Opaque->GetSamples(), this->Current.StoresImportance))
     {
       this->Lists.Release();
       this->DivideForMemory(nodes);
@@ -135,7 +134,7 @@ vtkIdType vtkFragmentSweep::Gather()
 {
   vtkStageTimers::Scope stage(*this->Current.Timers, "gather");
   ++this->Gathers;
-  this->Lists.Clear(this->Tile.GetNumberOfPixels());
+  this->Lists.Clear(this->Tile.Size);
   this->Lists.Bind();
   this->DrawOffScreen(this->Current.DrawProps);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -150,6 +149,11 @@ void vtkFragmentSweep::Sort()
   this->DrawOffScreen(
     [&] { this->Current.Stages->Sort(this->Current.Window, opaque, this->Tile); });
   const vtkFragmentLists::Counters counters = this->Lists.ReadCounters();
+  if (counters.HasTies != 0)
+  {
+    this->DrawOffScreen(
+      [&] { this->Current.Stages->BreakTies(this->Current.Window, opaque, this->Tile); });
+  }
   this->LongLists = counters.LongLists;
   const vtkIdType longest = this->LongLists > 0
     ? this->Lists.MeasureLongLists(this->LongLists, opaque.GetSamples())

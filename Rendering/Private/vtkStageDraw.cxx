@@ -12,12 +12,30 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 //------------------------------------------------------------------------------
-void vtkStageDraw::Draw(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
-  const std::function<void(vtkShaderProgram*)>& setUniforms)
+void vtkStageDraw::Draw(
+  vtkOpenGLRenderWindow* window, const std::string& fragmentShader, const SetUniforms& setUniforms)
+{
+  this->Run(window, vtkFragmentStageVS, fragmentShader, setUniforms,
+    [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+}
+
+//------------------------------------------------------------------------------
+void vtkStageDraw::DrawQuads(vtkOpenGLRenderWindow* window, GLsizei quads,
+  const std::string& vertexShader, const std::string& fragmentShader,
+  const SetUniforms& setUniforms)
+{
+  this->Run(window, vertexShader, fragmentShader, setUniforms,
+    [quads] { glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, quads); });
+}
+
+//------------------------------------------------------------------------------
+void vtkStageDraw::Run(vtkOpenGLRenderWindow* window, const std::string& vertexShader,
+  const std::string& fragmentShader, const SetUniforms& setUniforms,
+  const std::function<void()>& draw)
 {
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   vtkShaderProgram* program =
-    cache->ReadyShaderProgram(vtkFragmentStageVS, fragmentShader.c_str(), "", nullptr);
+    cache->ReadyShaderProgram(vertexShader.c_str(), fragmentShader.c_str(), "", nullptr);
   if (!program)
   {
     return;
@@ -37,7 +55,7 @@ void vtkStageDraw::Draw(vtkOpenGLRenderWindow* window, const std::string& fragme
     glGenVertexArrays(1, &this->VertexArray);
   }
   glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw();
   glBindVertexArray(0);
   cache->ReleaseCurrentShader();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws one triangle over the whole viewport with a fragment shader of ours: how every stage that
+ * Draws the whole viewport, or quads in it, with a fragment shader of ours: how every stage that
  * works on pixels, or on elements of a buffer, runs. Needs a current OpenGL 4.3 context.
  */
 
@@ -26,16 +26,27 @@ public:
   vtkStageDraw(const vtkStageDraw&) = delete;
   void operator=(const vtkStageDraw&) = delete;
 
+  using SetUniforms = std::function<void(vtkShaderProgram*)>;
+
+  ///@{
   /**
-   * Draw without blending, depth test and culling. Viewport, scissor and framebuffer are those of
-   * the caller; a shader that does not compile is VTK's error, and draws nothing.
+   * Draw one triangle over the viewport, or as many quads as `vertexShader` places by their
+   * gl_InstanceID, without blending, depth test and culling. Viewport, scissor and framebuffer are
+   * those of the caller; a shader that does not compile is VTK's error, and draws nothing.
    */
   void Draw(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
-    const std::function<void(vtkShaderProgram*)>& setUniforms);
+    const SetUniforms& setUniforms);
+  void DrawQuads(vtkOpenGLRenderWindow* window, GLsizei quads, const std::string& vertexShader,
+    const std::string& fragmentShader, const SetUniforms& setUniforms);
+  ///@}
 
   void Release();
 
 private:
+  void Run(vtkOpenGLRenderWindow* window, const std::string& vertexShader,
+    const std::string& fragmentShader, const SetUniforms& setUniforms,
+    const std::function<void()>& draw);
+
   GLuint VertexArray = 0;
 };
 

@@ -3,7 +3,7 @@
 //
 // Gather: added to the fragment shader of every mapper, after vtkFragmentListsDec and vtkOpaqueDepthDec.
 //
-// Reads: the opaque depth. Writes: one node, and the head of its pixel.
+// Reads: the opaque depth. Writes: one node, the head of its pixel, the flag of its block.
 
 uniform int pellucidNodeCapacity; // nodes 1..capacity may be written
 
@@ -38,6 +38,10 @@ void pellucidAppend(vec4 color, float depth)
   else if (node <= uint(pellucidNodeCapacity))
   {
     uint next = atomicExchange(pellucidHeads[pixel], node);
+    if (next == 0u)
+    {
+      pellucidFlagBlock(ivec2(gl_FragCoord.xy), PELLUCID_BLOCK_HAS_FRAGMENTS);
+    }
     pellucidLinks[node] = uvec2(next, floatBitsToUint(pellucidStoredDepth(depth)));
     pellucidColors[node] = pellucidPackColor(color.rgb, color.a);
 #if PELLUCID_OPTIMIZE

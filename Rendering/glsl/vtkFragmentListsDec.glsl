@@ -13,8 +13,9 @@ layout(std430, binding = PELLUCID_HEADS_BINDING) buffer PellucidHeads
   uint pellucidLongestList;       // of the lists that the sort saw as a whole
   uint pellucidLongListCount;     // lists that are left to the CPU
   uint pellucidSolvedCount;       // fragments whose opacity was optimised
-  // First node of each pixel of the tile, 0: none. With PELLUCID_COLLAPSED set, the CPU has taken the
-  // list's fragments together to what each sample sees.
+  uint pellucidHasTies;           // whether a list that the sort saw has fragments of equal depth
+  // First node of each pixel of the tile, 0: none; then the PELLUCID_BLOCK_... of each block of it. With PELLUCID_COLLAPSED set, the CPU has taken the
+  // list's fragments together to what each sample sees. Only the sort sees PELLUCID_TIED.
   uint pellucidHeads[];
 };
 
@@ -47,6 +48,27 @@ int pellucidPixelIndex(ivec2 windowPixel)
   ivec2 pixel = windowPixel - pellucidTileOrigin;
   bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, pellucidTileSize));
   return inside ? pixel.y * pellucidTileSize.x + pixel.x : -1;
+}
+
+int pellucidBlockColumns()
+{
+  return (pellucidTileSize.x + PELLUCID_BLOCK_SIDE - 1) / PELLUCID_BLOCK_SIDE;
+}
+
+// Where pellucidHeads has the flags of a block
+int pellucidBlockIndex(int block)
+{
+  return pellucidTileSize.x * pellucidTileSize.y + block;
+}
+
+void pellucidFlagBlock(ivec2 windowPixel, uint flag)
+{
+  ivec2 block = (windowPixel - pellucidTileOrigin) / PELLUCID_BLOCK_SIDE;
+  int index = pellucidBlockIndex(block.y * pellucidBlockColumns() + block.x);
+  if ((pellucidHeads[index] & flag) == 0u)
+  {
+    atomicOr(pellucidHeads[index], flag);
+  }
 }
 
 // To [0,1]; NaN becomes 0, which clamp() leaves undefined

@@ -8,27 +8,29 @@
 // one insertion sort and a long one n log n steps. Lists above PELLUCID_MAXIMUM_SHADER_LIST are
 // noted for the CPU: software renderers end a shader invocation after some 65,000 loop iterations.
 //
-// Reads and writes: links, heads. Reads: colours, importances and positions of fragments of equal depth.
-// Writes: the longest
-// list, the long lists. No colour output.
+// Drawn once by depth alone, which marks the lists with fragments of equal depth, and where there are
+// such lists again for these (PELLUCID_BREAK_TIES). A comparison that also knows what to do with ties
+// costs software renderers half of the sort, since they execute branches that no pixel takes.
+//
+// Reads and writes: links, heads. Reads, for ties: colours, importances, positions. Writes: whether
+// there are ties, the longest list, the long lists. No colour output.
 
 //VTK::Pellucid::Lists
 //VTK::Pellucid::Importance
 //VTK::Pellucid::OpaqueDepth
 
+bool hasTies = false;
+
+#if PELLUCID_BREAK_TIES
 bool isLess(uvec2 a, uvec2 b)
 {
   return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
-// Nearer first; then less opaque; then by red, green, blue; then less important, and by where they are
-// among the segments. Nodes equal in all this are interchangeable.
-bool isBefore(uint a, uint depthA, uint b, uint depthB)
+// Less opaque first; then by red, green, blue; then less important, and by where they are among the
+// segments. Nodes equal in all this are interchangeable.
+bool isBeforeOfEqualDepth(uint a, uint b)
 {
-  if (depthA != depthB)
-  {
-    return depthA < depthB;
-  }
   uvec2 colorA = pellucidColors[a];
   uvec2 colorB = pellucidColors[b];
 #if PELLUCID_OPTIMIZE
@@ -43,7 +45,23 @@ bool isBefore(uint a, uint depthA, uint b, uint depthB)
     return isLess(importanceA, importanceB);
   }
 #endif
-  return colorA.y != colorB.y ? colorA.y < colorB.y : colorA.x < colorB.x;
+  return isLess(colorA.yx, colorB.yx);
+}
+#endif
+
+// Nearer first
+bool isBefore(uint a, uint depthA, uint b, uint depthB)
+{
+#if PELLUCID_BREAK_TIES
+  if (depthA == depthB)
+  {
+    return isBeforeOfEqualDepth(a, b);
+  }
+#else
+  // Neighbours in the result have been compared with each other, so that this finds all ties.
+  hasTies = hasTies || depthA == depthB;
+#endif
+  return depthA < depthB;
 }
 
 // Both lists are not empty
@@ -99,24 +117,25 @@ void main()
 {
   int pixel = pellucidPixelIndex(ivec2(gl_FragCoord.xy));
   uint node = pixel < 0 ? 0u : pellucidHeads[pixel];
+#if PELLUCID_BREAK_TIES
+  node = (node & PELLUCID_TIED) != 0u ? node & ~PELLUCID_TIED : 0u;
+#endif
   if (node == 0u)
   {
-    return;
+    discard;
   }
 
-  uint lists[PELLUCID_LIST_LEVELS]; // at level k: 0, or a sorted list of PELLUCID_RUN_LENGTH * 2^k
-  for (int level = 0; level < PELLUCID_LIST_LEVELS; ++level)
-  {
-    lists[level] = 0u;
-  }
-
+  // Where `runs` has bit k: a sorted list of PELLUCID_RUN_LENGTH * 2^k nodes
+  uint lists[PELLUCID_LIST_LEVELS];
+  lists[0] = 0u; // compilers warn of arrays that are first written by a variable index
+  uint runs = 0u;
   uint length = 0u;
   uint sorted = 0u;
   while (node != 0u && length <= uint(PELLUCID_MAXIMUM_SHADER_LIST))
   {
     uint nodes[PELLUCID_RUN_LENGTH];
     uint depths[PELLUCID_RUN_LENGTH];
-    nodes[0] = 0u; // compilers warn of arrays that are first written by a variable index
+    nodes[0] = 0u;
     depths[0] = 0u;
     int count = 0;
     while (node != 0u && count < PELLUCID_RUN_LENGTH)
@@ -143,26 +162,25 @@ void main()
     if (node != 0u || length > uint(PELLUCID_RUN_LENGTH))
     {
       int level = 0;
-      while (lists[level] != 0u)
+      while ((runs >> level & 1u) != 0u)
       {
         sorted = merge(lists[level], sorted);
-        lists[level] = 0u;
         ++level;
       }
       lists[level] = sorted;
+      ++runs;
     }
   }
 
-  if (length > uint(PELLUCID_RUN_LENGTH))
+  if (runs != 0u)
   {
-    sorted = 0u;
-    for (int level = 0; level < PELLUCID_LIST_LEVELS; ++level)
-    {
-      if (lists[level] != 0u)
-      {
-        sorted = sorted == 0u ? lists[level] : merge(lists[level], sorted);
-      }
-    }
+    sorted = lists[findLSB(runs)];
+    runs &= runs - 1u;
+  }
+  while (runs != 0u)
+  {
+    sorted = merge(lists[findLSB(runs)], sorted);
+    runs &= runs - 1u;
   }
 
   if (node != 0u)
@@ -176,9 +194,18 @@ void main()
     pellucidLinks[last].x = node;
     noteLongList(pixel);
   }
-  else if (length > pellucidLongestList)
+  else
   {
-    atomicMax(pellucidLongestList, length);
+    if (length > pellucidLongestList)
+    {
+      atomicMax(pellucidLongestList, length);
+    }
+    if (hasTies)
+    {
+      pellucidHasTies = 1u;
+      pellucidFlagBlock(ivec2(gl_FragCoord.xy), PELLUCID_BLOCK_HAS_TIES);
+      sorted |= PELLUCID_TIED;
+    }
   }
   pellucidHeads[pixel] = sorted;
 }
