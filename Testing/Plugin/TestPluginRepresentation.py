@@ -9,17 +9,7 @@ from paraview import simple
 
 import pellucid
 from pictures import picture
-
-def stream_lines():
-    """Twenty lines through the gradient of ParaView's wavelet."""
-    gradient = simple.Gradient(Input=simple.Wavelet(), ScalarArray=["POINTS", "RTData"])
-    gradient.UpdatePipeline()  # seeds and lengths follow from its bounds
-    tracer = simple.StreamTracer(Input=gradient, SeedType="Line")
-    tracer.Vectors = ["POINTS", "Gradient"]
-    tracer.SeedType.Resolution = 19
-    tracer.MaximumStepLength = 1.0
-    tracer.InitialStepLength = 1.0
-    return tracer
+from plugin import stream_lines
 
 
 class TestPluginRepresentation(unittest.TestCase):
