@@ -77,8 +77,12 @@ class TestPluginPictures(unittest.TestCase):
         scene = simple.GetAnimationScene()
         scene.PlayMode = "Sequence"
         scene.NumberOfFrames = 2
-        for name, values in (("Opacity", (0.2, 0.8)), ("TubeRadius", (0.1, 0.3))):
-            track = simple.GetAnimationTrack(name, proxy=display)
+        # ParaView animates the opacity of all displays of a source.
+        for name, proxy, values in (
+            ("Opacity", display.Input, (0.2, 0.8)),
+            ("TubeRadius", display, (0.1, 0.3)),
+        ):
+            track = simple.GetAnimationTrack(name, proxy=proxy)
             track.KeyFrames = [
                 simple.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in enumerate(values)
             ]

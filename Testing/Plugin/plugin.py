@@ -20,6 +20,8 @@ def load_plugin():
 
 
 def create_view(size=200):
+    """A render view whose camera ParaView leaves alone."""
+    simple._DisableFirstRenderCameraReset()
     return simple.CreateView("RenderView", ViewSize=[size, size], OrientationAxesVisibility=0)
 
 
