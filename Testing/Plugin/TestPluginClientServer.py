@@ -8,7 +8,7 @@ import unittest
 from vtkmodules.test import Testing
 
 from pictures import read_png
-from processes import HERE, run, server
+from processes import HERE, program, run, server
 
 TEMPORARY = pathlib.Path(Testing.VTK_TEMP_DIR)
 
@@ -16,7 +16,7 @@ TEMPORARY = pathlib.Path(Testing.VTK_TEMP_DIR)
 def draw(name, *options):
     """Draw the scene; its pictures, and how many fragments the program itself has drawn."""
     # pvbatch cannot connect to a server.
-    said = run("pvpython", HERE / "draw.py", TEMPORARY / name, *options)
+    said = run(program("pvpython"), HERE / "draw.py", TEMPORARY / name, *options)
     pictures = [read_png(TEMPORARY / name / f"{each}.png") for each in ("opaque", "transparent")]
     return pictures, int(said.rsplit("fragments:", 1)[1])
 

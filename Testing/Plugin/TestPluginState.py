@@ -16,7 +16,7 @@ from vtkmodules.test import Testing
 
 from pictures import read_png
 from plugin import create_view, draw_scene, load_plugin, picture, save, show, stream_lines
-from processes import HERE, run
+from processes import HERE, program, run
 
 TEMPORARY = pathlib.Path(Testing.VTK_TEMP_DIR)
 
@@ -54,7 +54,7 @@ class TestPluginState(unittest.TestCase):
         """A process of its own draws the same picture from the file."""
         expected = save(TEMPORARY / "expected.png", self.view, ImageResolution=[200, 200])
         folder = TEMPORARY / path.name.replace(".", "_")
-        said = run("pvpython", HERE / "draw.py", folder, "--state", path)
+        said = run(program("pvpython"), HERE / "draw.py", folder, "--state", path)
         self.assertGreater(int(said.rsplit("fragments:", 1)[1]), 1000)
         self.assertTrue(self.same(read_png(folder / "opaque.png"), expected))
 

@@ -49,6 +49,14 @@ def show(source, view, representation="Pellucid", opacity=0.5):
     return display
 
 
+def place_camera(view):
+    """Look at the wavelet from a corner."""
+    view.CameraPosition = [40.0, 30.0, 30.0]
+    view.CameraFocalPoint = [0.0, 0.0, 0.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 25.0
+
+
 def draw_scene(view):
     """Translucent lines and surfaces through one another, stock ones among them; the lines' display."""
     lines = show(stream_lines(), view)
@@ -59,10 +67,7 @@ def draw_scene(view):
     show(shells, view, opacity=0.3)
     ball = simple.Sphere(Radius=7.0, ThetaResolution=32, PhiResolution=32)
     show(ball, view, "Surface", opacity=0.4).DiffuseColor = [0.9, 0.3, 0.1]
-    view.CameraPosition = [40.0, 30.0, 30.0]
-    view.CameraFocalPoint = [0.0, 0.0, 0.0]
-    view.CameraViewUp = [0.0, 0.0, 1.0]
-    view.CameraViewAngle = 25.0
+    place_camera(view)
     return lines
 
 

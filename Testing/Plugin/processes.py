@@ -18,16 +18,20 @@ PLUGIN = pathlib.Path(os.environ["PELLUCID_PLUGIN"])
 COMPLAINT = re.compile(r"ERR\||WARN\||FATL\||ERROR|Mesa: |Warning:|Traceback")
 
 
+def program(name):
+    """The path of a program of ParaView."""
+    return pathlib.Path(os.environ["PELLUCID_PARAVIEW_BIN"]) / name
+
+
 @contextlib.contextmanager
-def started(program, *arguments, environment=None):
-    """Start a program of ParaView, or of a full path; yields the process and the file that it prints to.
+def started(*command, environment=None):
+    """Start a program; yields the process and the file that it prints to.
 
     Neither the process nor one of its children survives.
     """
-    path = pathlib.Path(os.environ["PELLUCID_PARAVIEW_BIN"]) / program
     with tempfile.TemporaryFile("w+") as output:
         process = subprocess.Popen(
-            [str(path), *map(str, arguments)],
+            [str(part) for part in command],
             stdin=subprocess.DEVNULL,
             stdout=output,
             stderr=subprocess.STDOUT,
@@ -47,13 +51,13 @@ def printed(output):
     return output.read()
 
 
-def run(program, *arguments, environment=None, timeout=120):
+def run(*command, environment=None, timeout=120):
     """What a program prints; it has to succeed without a complaint."""
-    with started(program, *arguments, environment=environment) as (process, output):
+    with started(*command, environment=environment) as (process, output):
         try:
             process.wait(timeout)
         except subprocess.TimeoutExpired:
-            raise AssertionError(f"{program} does not end:\n{printed(output)}") from None
+            raise AssertionError(f"{command[0]} does not end:\n{printed(output)}") from None
         text = printed(output)
     assert process.returncode == 0 and not COMPLAINT.search(text), f"{process.returncode}\n{text}"
     return text
@@ -62,7 +66,7 @@ def run(program, *arguments, environment=None, timeout=120):
 @contextlib.contextmanager
 def server(timeout=60):
     """Start a pvserver; yields the port that it listens at, one that was free."""
-    with started("pvserver", "--server-port=0") as (process, output):
+    with started(program("pvserver"), "--server-port=0") as (process, output):
         deadline = time.monotonic() + timeout
         # Not found out by connecting to it: a server takes only one client.
         while not (listens := re.search(r"^Accepting connection.*:(\d+)$", printed(output), re.M)):
