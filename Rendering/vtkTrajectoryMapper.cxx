@@ -148,6 +148,7 @@ private:
   bool UsesPropertyColor = false;
   std::vector<vtkMTimeType> OpacityTimes;
   std::string ImportanceArray;
+  pellucid::ImportanceRange<double> ImportanceRange;
   std::vector<vtkMTimeType> SegmentTimes;
   vtkWeakPointer<vtkWindow> Window;
 };
@@ -319,24 +320,32 @@ void vtkTrajectoryMapper::Parts::UpdateSegments(vtkActor* actor)
   vtkImportanceDrivenOpacity* parameters = vtkImportanceDrivenOpacity::Get(actor);
   const char* name = parameters ? parameters->GetImportanceArray() : nullptr;
   const std::string array = name ? name : "";
+  pellucid::ImportanceRange<double> range;
   const auto& leaves = this->Nodes.GetLeaves();
   std::vector<vtkMTimeType> times;
   if (parameters)
   {
+    range = pellucid::ImportanceRange<double>(parameters->GetImportanceRange());
     times = vtkTrajectorySegmentNodes::GetTimes(leaves, array);
   }
-  if (times == this->SegmentTimes && array == this->ImportanceArray)
+  const bool sameArrays = times == this->SegmentTimes && array == this->ImportanceArray;
+  if (sameArrays && range == this->ImportanceRange)
   {
     return;
   }
   this->SegmentTimes = std::move(times);
   this->ImportanceArray = array;
-  this->Cones->SetSegments(parameters ? vtkTrajectorySegmentNodes::Make(this->Nodes, array)
+  this->ImportanceRange = range;
+  this->Cones->SetSegments(parameters ? vtkTrajectorySegmentNodes::Make(this->Nodes, array, range)
                                       : std::vector<vtkTrajectorySegmentNodes::Node>());
+  // Polygons have the values as they are, for shaders to map; bringing them uploads all data.
   for (const auto& part : this->Polygons)
   {
-    part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC", parameters ? name : nullptr,
-      vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    if (!sameArrays)
+    {
+      part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
+        parameters ? name : nullptr, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
   }
 }
 

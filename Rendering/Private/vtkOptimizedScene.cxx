@@ -370,6 +370,8 @@ void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
 void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::string>& missing)
 {
   const char* name = source.Settings->GetImportanceArray();
+  const pellucid::ImportanceRange<double> range(source.Settings->GetImportanceRange());
+  auto part = this->Members[source.Prop].Parts.begin();
   for (vtkPolyData* leaf : source.Leaves)
   {
     vtkDataArray* array = name ? leaf->GetPointData()->GetArray(name) : nullptr;
@@ -377,6 +379,7 @@ void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::strin
     {
       array = nullptr;
     }
+    (part++)->HasImportance = array != nullptr;
     if (!array)
     {
       missing.insert(name ? name : "");
@@ -384,8 +387,7 @@ void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::strin
     const vtkIdType points = source.Optimizes ? leaf->GetNumberOfPoints() : 0;
     for (vtkIdType point = 0; point < points && !this->ImportancesDiffer; ++point)
     {
-      const double importance =
-        array ? pellucid::ClampImportance(array->GetComponent(point, 0)) : 0.0;
+      const double importance = array ? range.Map(array->GetComponent(point, 0)) : 0.0;
       this->FirstImportance = this->FirstImportance.value_or(importance);
       this->ImportancesDiffer = importance != *this->FirstImportance;
     }

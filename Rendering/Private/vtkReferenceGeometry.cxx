@@ -173,9 +173,11 @@ public:
     const auto part = std::find_if(target.member->Parts.begin(), target.member->Parts.end(),
       [data](const vtkOptimizedScene::Part& candidate) { return candidate.Data == data; });
     this->Part = part == target.member->Parts.end() ? &target.member->Parts.front() : &*part;
-    const char* name = target.member->Settings->GetImportanceArray();
+    vtkImportanceDrivenOpacity* settings = target.member->Settings;
+    this->Range = pellucid::ImportanceRange<double>(settings->GetImportanceRange());
     vtkPointData* points = data->GetPointData();
-    this->Importance = name ? points->GetArray(name) : nullptr;
+    this->Importance =
+      this->Part->HasImportance ? points->GetArray(settings->GetImportanceArray()) : nullptr;
     if (!target.member->Avoids && vtkOptimizedScene::HasLineSegments(data))
     {
       this->Base = points->GetArray("SegmentBase");
@@ -194,8 +196,8 @@ public:
     if (this->Part)
     {
       vtkDataArray* base = this->Base ? this->Base : this->Nearest;
-      node.importance = pellucid::ClampImportance(
-        this->Importance ? this->Importance->GetComponent(point, 0) : 0.0);
+      node.importance =
+        this->Importance ? this->Range.Map(this->Importance->GetComponent(point, 0)) : 0.0;
       node.base = this->Part->FirstSegment +
         (base ? std::max(static_cast<vtkIdType>(base->GetComponent(point, 0)), vtkIdType(0)) : 0);
       node.weight = this->Weight ? this->Weight->GetComponent(point, 0) : 0.0;
@@ -210,6 +212,7 @@ public:
 
 private:
   const vtkOptimizedScene::Part* Part = nullptr;
+  pellucid::ImportanceRange<double> Range;
   vtkDataArray* Importance = nullptr;
   vtkDataArray* Base = nullptr;
   vtkDataArray* Weight = nullptr;
