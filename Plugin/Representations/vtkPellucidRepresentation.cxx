@@ -330,7 +330,7 @@ void vtkPellucidRepresentation::UpdateOpacity(vtkDataObject* geometry)
     opacity = this->Avoidance;
   }
   opacity->SetImportanceArray(this->Segments->GetImportanceArray().c_str());
-  // opacity->SetImportanceRange(this->UsedImportanceRange.data());
+  opacity->SetImportanceRange(this->UsedImportanceRange.data());
   vtkImportanceDrivenOpacity::Attach(this->Actor, opacity);
   this->WarnOfOtherProcesses();
 }
