@@ -22,7 +22,29 @@
 #include <locale>
 #include <sstream>
 
+// Only a ParaView with MPI has it.
+#if __has_include("vtkIceTCompositePass.h")
+#include "vtkIceTCompositePass.h"
+#define PELLUCID_HAS_ICET
+#endif
+
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// On several ranks the pass that composites their pictures holds the one that draws them.
+void AddCompositePass()
+{
+#ifdef PELLUCID_HAS_ICET
+  vtkTransparencyInstaller::AddHolder(
+    "vtkIceTCompositePass",
+    [](vtkRenderPass* holder) -> vtkRenderPass*
+    { return vtkIceTCompositePass::SafeDownCast(holder)->GetRenderPass(); },
+    [](vtkRenderPass* holder, vtkRenderPass* delegate)
+    { vtkIceTCompositePass::SafeDownCast(holder)->SetRenderPass(delegate); });
+#endif
+}
+}
+
 vtkStandardNewMacro(vtkPellucidRepresentation);
 
 namespace
@@ -49,6 +71,7 @@ vtkPellucidRepresentation::vtkPellucidRepresentation()
   this->SetupDefaults();
   this->Segments->SetInputConnection(this->GeometryFilter->GetOutputPort());
   this->MultiBlockMaker->SetInputConnection(this->Segments->GetOutputPort());
+  AddCompositePass();
 }
 
 //------------------------------------------------------------------------------

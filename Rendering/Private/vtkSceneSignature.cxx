@@ -25,10 +25,21 @@
 #include "vtkVolume.h"
 
 #include <array>
-#include <cstring>
 #include <initializer_list>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+// Whether all that an actor draws is the mapper of GetMapper(), with the actor's own properties.
+// That may be another one in each frame: ParaView's actor chooses a level of detail, without any
+// sign in its time. By name: ParaView's class is not known here, and subclasses may do anything.
+bool DrawsItsMapper(vtkActor* actor)
+{
+  const std::string name = actor->GetClassName();
+  return name == "vtkOpenGLActor" || name == "vtkPVLODActor";
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSceneSignature::vtkSceneSignature(const vtkRenderState* state, const vtkPixelRectangle& image)
@@ -104,8 +115,7 @@ bool vtkSceneSignature::AddProp(vtkProp* prop)
     return true;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
-  return actor && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    this->AddActor(actor);
+  return actor && DrawsItsMapper(actor) && this->AddActor(actor);
 }
 
 //------------------------------------------------------------------------------
