@@ -6,8 +6,8 @@
 #include "Importance.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDisplayedLeaf.h"
 #include "vtkFieldData.h"
 #include "vtkMapper.h"
 #include "vtkOcclusionAvoidance.h"
@@ -143,11 +143,12 @@ vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>&
     }
     const bool optimizes = vtkOpacityOptimization::SafeDownCast(settings) != nullptr;
     Source source{ prop, actor->GetMapper(), settings, settings->GetMTime(), optimizes, {}, {} };
-    source.Leaves =
-      vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
-    for (vtkPolyData* leaf : source.Leaves)
+    // Also those that are not visible: opacities keep their numbers.
+    for (const vtkDisplayedLeaf& leaf :
+      vtkFindDisplayedLeaves(actor->GetMapper()->GetInputDataObject(0, 0), nullptr))
     {
-      source.LeafTimes.push_back(leaf->GetMTime());
+      source.Leaves.push_back(leaf.Data);
+      source.LeafTimes.push_back(leaf.Data->GetMTime());
     }
     if (!source.Leaves.empty())
     {

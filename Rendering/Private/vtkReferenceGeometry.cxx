@@ -56,7 +56,9 @@ Vec4 ToColor(vtkUnsignedCharArray* colors, vtkIdType tuple)
 class DataColors
 {
 public:
-  DataColors(vtkMapper* mapper, vtkPolyData* data)
+  /** A block's own colour replaces what is found, but not its opacity. */
+  DataColors(vtkMapper* mapper, vtkPolyData* data, const vtkBlockDisplay& display)
+    : Display(display)
   {
     mapper->GetLookupTable();
     this->Mapper->ShallowCopy(mapper);
@@ -107,7 +109,8 @@ public:
       return Vec4(1.0);
     }
     const vtkIdType tuple = this->OneTuple >= 0 ? this->OneTuple : (this->PerCell ? cell : point);
-    return ToColor(this->Colors, std::min(tuple, this->Colors->GetNumberOfTuples() - 1));
+    return this->Override(
+      ToColor(this->Colors, std::min(tuple, this->Colors->GetNumberOfTuples() - 1)));
   }
 
   void ApplyTo(pellucid::Surface<double>& surface) const
@@ -123,16 +126,28 @@ public:
       surface.table.height = size[1];
       for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
       {
-        surface.table.texels.push_back(ToColor(texels, i));
+        surface.table.texels.push_back(this->Override(ToColor(texels, i)));
       }
     }
     else if (this->Colors)
     {
       surface.colorSource = pellucid::ColorSource::Vertices;
     }
+    for (pellucid::Material<double>* material : { &surface.front, &surface.back })
+    {
+      material->opacity = this->Display.Opacity.value_or(material->opacity);
+      material->ambientColor = this->Override(Vec4(material->ambientColor, 1.0));
+      material->diffuseColor = this->Override(Vec4(material->diffuseColor, 1.0));
+    }
   }
 
 private:
+  Vec4 Override(const Vec4& color) const
+  {
+    return this->Display.Color ? Vec4(glm::make_vec3(this->Display.Color->data()), color.a) : color;
+  }
+
+  vtkBlockDisplay Display;
   vtkNew<ColorMapper> Mapper;
   vtkUnsignedCharArray* Colors = nullptr;
   vtkFloatArray* Coordinates = nullptr;
@@ -524,7 +539,7 @@ vtkReferenceRejects AddGlyphs(vtkReferenceTarget& target, vtkGlyph3DMapper* mapp
 //------------------------------------------------------------------------------
 vtkReferenceRejects vtkAddReferencePolygons(vtkReferenceTarget& target, vtkPolyData* data)
 {
-  const DataColors colors(target.mapper, data);
+  const DataColors colors(target.mapper, data, target.display);
   pellucid::Surface<double> surface = target.surface;
   colors.ApplyTo(surface);
   vtkReferenceRejects rejects;
@@ -537,7 +552,7 @@ vtkReferenceRejects vtkAddReferencePolygons(vtkReferenceTarget& target, vtkPolyD
 vtkReferenceRejects vtkAddReferenceTrajectories(
   vtkReferenceTarget& target, vtkPolyData* data, double radius, const char* radiusArray)
 {
-  const DataColors colors(target.mapper, data);
+  const DataColors colors(target.mapper, data, target.display);
   pellucid::Surface<double> surface = target.surface;
   colors.ApplyTo(surface);
   const std::uint32_t index = AddSurface(target.scene, surface);
