@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPellucidRepresentation.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkMultiProcessController.h"
@@ -29,22 +30,6 @@
 #endif
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-// On several ranks the pass that composites their pictures holds the one that draws them.
-void AddCompositePass()
-{
-#ifdef PELLUCID_HAS_ICET
-  vtkTransparencyInstaller::AddHolder(
-    "vtkIceTCompositePass",
-    [](vtkRenderPass* holder) -> vtkRenderPass*
-    { return vtkIceTCompositePass::SafeDownCast(holder)->GetRenderPass(); },
-    [](vtkRenderPass* holder, vtkRenderPass* delegate)
-    { vtkIceTCompositePass::SafeDownCast(holder)->SetRenderPass(delegate); });
-#endif
-}
-}
-
 vtkStandardNewMacro(vtkPellucidRepresentation);
 
 namespace
@@ -59,15 +44,32 @@ bool IsSurface(vtkDataObject* geometry)
   return std::any_of(leaves.begin(), leaves.end(),
     [](vtkPolyData* leaf) { return leaf->GetPointData()->HasArray("SegmentIds"); });
 }
+
+//------------------------------------------------------------------------------
+// On several ranks the pass that composites their pictures holds the one that draws them.
+void AddCompositePass()
+{
+#ifdef PELLUCID_HAS_ICET
+  vtkTransparencyInstaller::AddHolder(
+    "vtkIceTCompositePass",
+    [](vtkRenderPass* holder) -> vtkRenderPass*
+    { return vtkIceTCompositePass::SafeDownCast(holder)->GetRenderPass(); },
+    [](vtkRenderPass* holder, vtkRenderPass* delegate)
+    { vtkIceTCompositePass::SafeDownCast(holder)->SetRenderPass(delegate); });
+#endif
+}
 }
 
 //------------------------------------------------------------------------------
 vtkPellucidRepresentation::vtkPellucidRepresentation()
 {
-  this->Mapper->Delete();
-  this->LODMapper->Delete();
-  this->Mapper = vtkTrajectoryMapper::New();
-  this->LODMapper = vtkTrajectoryMapper::New();
+  for (vtkMapper** mapper : { &this->Mapper, &this->LODMapper })
+  {
+    (*mapper)->Delete();
+    auto* trajectories = vtkTrajectoryMapper::New();
+    trajectories->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+    *mapper = trajectories;
+  }
   this->SetupDefaults();
   this->Segments->SetInputConnection(this->GeometryFilter->GetOutputPort());
   this->MultiBlockMaker->SetInputConnection(this->Segments->GetOutputPort());
@@ -317,15 +319,36 @@ bool vtkPellucidRepresentation::NeedsOrderedCompositing()
 int vtkPellucidRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output)
 {
+  const bool blocksChanged = this->BlockAttrChanged; // the superclass forgets it
   if (!this->Superclass::ProcessViewRequest(type, input, output))
   {
     return 0;
   }
   if (type == vtkPVView::REQUEST_RENDER())
   {
+    this->UpdateBlocks(blocksChanged);
     this->UpdateOpacity(vtkPVView::GetDeliveredPiece(input, this));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// What the superclass does for the mapper that it has of its own.
+void vtkPellucidRepresentation::UpdateBlocks(bool changed)
+{
+  const std::array<vtkMapper*, 2> mappers{ this->Mapper, this->LODMapper };
+  for (std::size_t i = 0; i < mappers.size(); ++i)
+  {
+    vtkDataObject* data = mappers[i]->GetInputDataObject(0, 0);
+    this->BlocksOutdated[i] = this->BlocksOutdated[i] || changed;
+    if (data && (this->BlocksOutdated[i] || this->BlockTimes[i] < data->GetMTime()))
+    {
+      this->PopulateBlockAttributes(
+        vtkTrajectoryMapper::SafeDownCast(mappers[i])->GetCompositeDataDisplayAttributes(), data);
+      this->BlocksOutdated[i] = false;
+      this->BlockTimes[i].Modified();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,7 @@
  *          opacities that show what is important.
  *
  * Lines are drawn as tubes and vertices as spheres by vtkTrajectoryMapper, polygons as always.
- * Colouring, opacity, lighting, selection and delivery of data are those of the superclass.
+ * Colouring, opacity, lighting, blocks, selection and delivery of data are those of the superclass.
  *
  * A render view that shows at least one visible representation of this kind draws all its
  * translucent geometry exactly, that of other representations too: its renderer is installed by
@@ -171,6 +171,7 @@ private:
   vtkTransparencyStatistics* GetStatistics();
   vtkIdType GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)());
   void UpdatePass();
+  void UpdateBlocks(bool changed);
   void UpdateOpacity(vtkDataObject* geometry);
   void UpdateOptimization(vtkDataObject* geometry);
   void WarnOfOtherProcesses();
@@ -192,6 +193,11 @@ private:
   int PictureView = 0;
   int PictureLayer = 1;
   bool WantsNoLOD = false;
+
+  // Of the mapper and the one for levels of detail: when the attributes of blocks were set.
+  std::array<vtkTimeStamp, 2> BlockTimes;
+  std::array<bool, 2> BlocksOutdated{};
+
   bool WarnedOfOtherProcesses = false;
   std::string StageTimes;
 };
