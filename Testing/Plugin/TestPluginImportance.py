@@ -46,7 +46,8 @@ class TestPluginImportance(unittest.TestCase):
 
     def setUp(self):
         self.view = simple.CreateView("RenderView", ViewSize=[200, 150], OrientationAxesVisibility=0,
-                                      UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+                                      UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0],
+                                      UseFXAA=0)
         self.renderer = self.view.GetClientSideObject().GetRenderer()
 
     def tearDown(self):
