@@ -19,6 +19,10 @@ XML = (pathlib.Path(Testing.VTK_DATA_ROOT).parent / "Plugin" / "Representations"
        "PellucidRepresentation.xml")
 
 
+# Tubes of many lines behind each other.
+TUBES = {"TubeRadius": 0.7, "AutomaticImportanceRange": 0, "ImportanceRange": [150.0, 260.0]}
+
+
 def definitions():
     """The properties of the representation in its XML, by name."""
     proxy = ElementTree.parse(XML).getroot().find(".//RepresentationProxy")
@@ -112,7 +116,9 @@ class TestPluginImportance(unittest.TestCase):
         self.assertEqual(len(entries["PictureView"]), views.VIEW_LAYER + 1)
 
     def test_important_lines_show_behind_others(self):
-        display = self.show(stream_lines(), DiffuseColor=[0.0, 0.0, 0.0], AmbientColor=[0.0, 0.0, 0.0])
+        display = self.show(stream_lines(), **TUBES)
+        simple.ColorBy(display, None)
+        display.DiffuseColor = [0.0, 0.0, 0.0]
         even = self.draw()
         self.assertEqual(self.info(display, "SolvedFragments"), 0)
         display.ImportanceArray = ["POINTS", "RTData"]
@@ -127,14 +133,14 @@ class TestPluginImportance(unittest.TestCase):
         self.assertTrue((self.draw() == even).all())
 
     def test_parameters_are_live(self):
-        display = self.show(stream_lines(), "RTData")
+        display = self.show(stream_lines(), "RTData", **TUBES)
         last = self.draw()
         data, time = self.drawn(display), self.drawn(display).GetMTime()
         for name, value in (
                 ("OpacityPreset", "Focus"), ("OpacityStrength", 0.1), ("SelfOcclusion", 1),
                 ("OpacityPreset", "Custom"), ("OcclusionWeight", 1.0), ("ClutterWeight", 5000.0),
-                ("Emphasis", 0.5), ("SmoothingIterations", 40), ("AutomaticImportanceRange", 0),
-                ("ImportanceRange", [250.0, 270.0]), ("ImportanceRange", [270.0, 100.0]),
+                ("Emphasis", 0.5), ("SmoothingIterations", 40), ("ImportanceRange", [100.0, 200.0]),
+                ("ImportanceRange", [200.0, 100.0]), ("AutomaticImportanceRange", 1),
                 ("GatherScale", 2), ("OpacityMethod", "Penalty"), ("AvoidancePenalty", 0.8),
                 ("AvoidanceGlobalOpacity", 0.5), ("AvoidanceSmoothAttributes", 1),
                 ("OpacityMethod", "Weighting"), ("AvoidanceImportanceWeight", 5.0),
@@ -150,7 +156,7 @@ class TestPluginImportance(unittest.TestCase):
         self.assertEqual(data.GetMTime(), time)
 
     def test_no_strength_fades_nothing(self):
-        display = self.show(stream_lines())
+        display = self.show(stream_lines(), **TUBES)
         even = self.draw()
         display.ImportanceArray = ["POINTS", "RTData"]
         display.OpacityStrength = 0.0
@@ -200,8 +206,9 @@ class TestPluginImportance(unittest.TestCase):
         lines = stream_lines()
         display = self.show(lines, "no such array")
         self.assertTrue(numpy.isfinite(self.draw()).all())
-        nothing = simple.Calculator(Input=lines, ResultArrayName="nothing", Function="sqrt(-1-RTData)",
-                                    ReplaceInvalidResults=0)
+        nothing = simple.ProgrammableFilter(Input=lines, Script=(
+            "output.ShallowCopy(inputs[0].VTKObject)\n"
+            "output.PointData.append(inputs[0].PointData['RTData'] * numpy.nan, 'nothing')"))
         display = self.show(nothing, "nothing")
         self.draw()
         self.assertEqual(self.info(display, "SolvedFragments"), 0)
