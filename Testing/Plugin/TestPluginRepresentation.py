@@ -70,6 +70,29 @@ class TestPluginRepresentation(unittest.TestCase):
         covered = self.covered()
         self.assertAlmostEqual(self.fragments() / covered, 2.0, delta=0.1)
 
+    def test_blocks(self):
+        """Visibility, colours and opacities of blocks, as the inspector of blocks sets them."""
+        left = simple.Sphere(Center=[-1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        right = simple.Sphere(Center=[1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        group = simple.GroupDatasets(Input=[left, right])
+        group.BlockNames = ["left", "right"]
+        display = self.show(group)
+        display.ColorArrayName = ["POINTS", ""]
+        both = self.covered()
+        display.BlockSelectors = ["/Root/left"]
+        self.assertAlmostEqual(self.covered() / both, 0.5, delta=0.02)
+        fragments = self.fragments()
+        display.BlockSelectors = ["/Root"]
+        self.assertEqual(self.covered(), both)
+        self.assertAlmostEqual(self.fragments() / fragments, 2.0, delta=0.02)
+        display.BlockColors = ["/Root/left", "1.0", "0.0", "0.0"]
+        display.BlockOpacities = ["/Root/right", "1.0"]
+        picture = self.picture()
+        middle = picture.shape[1] // 2
+        for half, is_red in ((picture[:, :middle], True), (picture[:, middle:], False)):
+            shown = half[(half != self.empty[:, :middle]).any(axis=2)].mean(axis=0)
+            self.assertEqual(bool(shown[0] > 1.5 * shown[1]), is_red)
+
     def test_the_view_is_exact_while_one_is_visible(self):
         first = self.show(simple.Sphere())
         second = self.show(simple.Cone())
