@@ -43,10 +43,13 @@ class TestPluginRepresentation(unittest.TestCase):
         display.Opacity = 0.5
         return display
 
-    def fragments(self):
+    def statistics(self):
         transparency = pellucid.vtkTransparencyInstaller.GetPass(self.renderer)
         self.assertIsNotNone(transparency)
-        return transparency.GetStatistics().GetFragments()
+        return transparency.GetStatistics()
+
+    def fragments(self):
+        return self.statistics().GetFragments()
 
     def picture(self):
         simple.Render(self.view)
@@ -92,6 +95,22 @@ class TestPluginRepresentation(unittest.TestCase):
         for half, is_red in ((picture[:, :middle], True), (picture[:, middle:], False)):
             shown = half[(half != self.empty[:, :middle]).any(axis=2)].mean(axis=0)
             self.assertEqual(bool(shown[0] > 1.5 * shown[1]), is_red)
+
+    def test_an_unchanged_view_is_not_gathered_again(self):
+        self.show(simple.Sphere(ThetaResolution=64, PhiResolution=64))
+        self.view.LODThreshold = 0.0
+        picture_of_all = self.picture()
+
+        def gathers(render):
+            render()
+            return self.statistics().GetStageMilliseconds("gather") > 0.0
+
+        interact = self.view.SMProxy.InteractiveRender
+        self.assertFalse(gathers(self.picture))
+        self.assertTrue(gathers(interact))  # another level of detail
+        self.assertFalse(gathers(interact))
+        self.assertTrue(gathers(self.picture))
+        self.assertTrue((self.picture() == picture_of_all).all())
 
     def test_the_view_is_exact_while_one_is_visible(self):
         first = self.show(simple.Sphere())
