@@ -5,6 +5,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -14,6 +15,9 @@ vtkStandardNewMacro(vtkOpacityOptimization);
 
 namespace
 {
+// Patches of surfaces are some six times as large as segments of lines.
+constexpr int MostIterationsOnSurfaces = 5;
+
 struct Preset
 {
   const char* Name;
@@ -42,7 +46,7 @@ const char* vtkOpacityOptimization::GetPresetName(int preset)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpacityOptimization::UsePreset(const char* name)
+bool vtkOpacityOptimization::UsePreset(const char* name, bool forSurfaces)
 {
   const std::string wanted = name ? name : "";
   std::string known;
@@ -53,7 +57,9 @@ bool vtkOpacityOptimization::UsePreset(const char* name)
       this->SetOcclusionWeight(preset.OcclusionWeight);
       this->SetClutterWeight(preset.ClutterWeight);
       this->SetEmphasis(preset.Emphasis);
-      this->SetSmoothingIterations(preset.SmoothingIterations);
+      this->SetSmoothingIterations(forSurfaces
+          ? std::min(preset.SmoothingIterations, MostIterationsOnSurfaces)
+          : preset.SmoothingIterations);
       return true;
     }
     known += (known.empty() ? "" : ", ") + std::string(preset.Name);

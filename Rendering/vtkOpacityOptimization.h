@@ -54,12 +54,12 @@ public:
    * - "focus": 1000, 50, 3.5, 50: little but the important stays; a tornado (figure 10);
    * - "clear-back": 50, 400, 2, 15: a quiet background; knotted field lines (figure 8);
    * - "points": 200, 50, 3, 0: particles, which have no neighbours to smooth over (figure 11).
-   * s is for the segments of lines. The patches of surfaces are larger, and take 5 steps at most
-   * before they all fade alike.
+   * s is for the segments of lines. The patches of surfaces are larger, and all fade alike after
+   * more than 5 steps, which `forSurfaces` limits s to.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int preset);
-  bool UsePreset(const char* name);
+  bool UsePreset(const char* name, bool forSurfaces = false);
   ///@}
 
   ///@{

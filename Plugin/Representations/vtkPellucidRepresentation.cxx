@@ -2,10 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPellucidRepresentation.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkExactTransparencyPass.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOcclusionAvoidance.h"
+#include "vtkOpacityOptimization.h"
+#include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVServerInformation.h"
+#include "vtkPVSession.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProcessModule.h"
+#include "vtkSegmentedGeometry.h"
+#include "vtkSegmentedTrajectoryMapper.h"
 #include "vtkTrajectoryMapper.h"
 #include "vtkTransparencyInstaller.h"
+#include "vtkTransparencyStatistics.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 // Only a ParaView with MPI has it.
 #if __has_include("vtkIceTCompositePass.h")
@@ -14,8 +34,30 @@
 #endif
 
 VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkPellucidRepresentation);
+
 namespace
 {
+// As ParaView's panel has it for no array.
+constexpr char NoArray[] = "None";
+
+//------------------------------------------------------------------------------
+bool IsSurface(vtkDataObject* geometry)
+{
+  const auto leaves = vtkCompositeDataSet::GetDataSets<vtkPolyData>(geometry);
+  return std::any_of(leaves.begin(), leaves.end(),
+    [](vtkPolyData* leaf) { return leaf->GetPointData()->HasArray("SegmentIds"); });
+}
+
+//------------------------------------------------------------------------------
+// The same number in each of them, and in a client.
+int GetNumberOfRenderingProcesses()
+{
+  auto* session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
+  return session ? session->GetServerInformation()->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
 // On several ranks the pass that composites their pictures holds the one that draws them.
 void AddCompositePass()
 {
@@ -30,28 +72,22 @@ void AddCompositePass()
 }
 }
 
-vtkStandardNewMacro(vtkPellucidRepresentation);
-
 //------------------------------------------------------------------------------
 vtkPellucidRepresentation::vtkPellucidRepresentation()
 {
-  this->Mapper->Delete();
-  this->LODMapper->Delete();
-  this->Mapper = vtkTrajectoryMapper::New();
-  this->LODMapper = vtkTrajectoryMapper::New();
+  for (vtkMapper** mapper : { &this->Mapper, &this->LODMapper })
+  {
+    (*mapper)->Delete();
+    auto* trajectories = vtkSegmentedTrajectoryMapper::New();
+    trajectories->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+    *mapper = trajectories;
+  }
   this->SetupDefaults();
   AddCompositePass();
 }
 
 //------------------------------------------------------------------------------
 vtkPellucidRepresentation::~vtkPellucidRepresentation() = default;
-
-//------------------------------------------------------------------------------
-void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "View: " << this->View.GetPointer() << "\n";
-}
 
 //------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetRadius(double radius)
@@ -69,6 +105,154 @@ void vtkPellucidRepresentation::SetRadiusArray(const char* name)
   {
     vtkTrajectoryMapper::SafeDownCast(mapper)->SetRadiusArray(name);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetImportanceArray(int, int, int, int, const char* name)
+{
+  const std::string array = name && std::string(name) != NoArray ? name : "";
+  if (array != this->GetSegments()->GetImportanceArray())
+  {
+    this->GetSegments()->SetImportanceArray(array);
+    this->Superclass::SetSuppressLOD(this->WantsNoLOD || this->HasImportance());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSegmentedTrajectoryMapper* vtkPellucidRepresentation::GetMapper()
+{
+  return vtkSegmentedTrajectoryMapper::SafeDownCast(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkSegmentedGeometry* vtkPellucidRepresentation::GetSegments()
+{
+  return this->GetMapper()->GetSegments();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::HasImportance()
+{
+  return !this->GetSegments()->GetImportanceArray().empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetNumberOfSegments(int segments)
+{
+  this->GetSegments()->SetNumberOfSegments(segments);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetSuppressLOD(bool suppress)
+{
+  this->WantsNoLOD = suppress;
+  this->Superclass::SetSuppressLOD(suppress || this->HasImportance());
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetOcclusionWeight(double weight)
+{
+  this->OwnOptimization->SetOcclusionWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetClutterWeight(double weight)
+{
+  this->OwnOptimization->SetClutterWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetEmphasis(double emphasis)
+{
+  this->OwnOptimization->SetEmphasis(emphasis);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetSmoothingIterations(int iterations)
+{
+  this->OwnOptimization->SetSmoothingIterations(iterations);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetSelfOcclusion(bool occludes)
+{
+  this->Optimization->SetSelfOcclusion(occludes);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetPenalty(double penalty)
+{
+  this->Avoidance->SetPenalty(penalty);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetImportanceWeight(double weight)
+{
+  this->Avoidance->SetImportanceWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetCoverageWeight(double weight)
+{
+  this->Avoidance->SetCoverageWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetDirectionalVarianceWeight(double weight)
+{
+  this->Avoidance->SetDirectionalVarianceWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetDepthWeight(double weight)
+{
+  this->Avoidance->SetDepthWeight(weight);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetImportanceExponent(double exponent)
+{
+  this->Avoidance->SetImportanceExponent(exponent);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetGlobalOpacity(double opacity)
+{
+  this->Avoidance->SetGlobalOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetSmoothAttributes(bool smooth)
+{
+  this->Avoidance->SetSmoothAttributes(smooth);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetGatherScale(int scale)
+{
+  this->GatherScale = scale;
+  this->UpdatePass();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetMemoryLimit(int mebibytes)
+{
+  this->MemoryLimit = mebibytes;
+  this->UpdatePass();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetPictureView(int view)
+{
+  this->PictureView = view;
+  this->UpdatePass();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetPictureLayer(int layer)
+{
+  this->PictureLayer = layer;
+  this->UpdatePass();
 }
 
 //------------------------------------------------------------------------------
@@ -110,13 +294,253 @@ void vtkPellucidRepresentation::UpdateTransparency()
   {
     return;
   }
-  if (this->GetVisibility())
+  if (!this->GetVisibility())
   {
-    vtkTransparencyInstaller::Install(this->View->GetRenderer(), this);
+    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
+    return;
+  }
+  const bool isFirst = this->GetPass() == nullptr;
+  vtkTransparencyInstaller::Install(this->View->GetRenderer(), this);
+  if (isFirst)
+  {
+    this->UpdatePass();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass* vtkPellucidRepresentation::GetPass()
+{
+  return this->View ? vtkTransparencyInstaller::GetPass(this->View->GetRenderer()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdatePass()
+{
+  vtkExactTransparencyPass* pass = this->GetPass();
+  if (pass && this->GetVisibility())
+  {
+    pass->SetGatherScale(this->GatherScale);
+    pass->SetMemoryLimit(this->MemoryLimit);
+    pass->SetView(this->PictureView);
+    pass->SetLayer(this->PictureLayer);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::NeedsOrderedCompositing()
+{
+  return this->HasImportance() || this->Superclass::NeedsOrderedCompositing();
+}
+
+//------------------------------------------------------------------------------
+int vtkPellucidRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output)
+{
+  const bool blocksChanged = this->BlockAttrChanged; // the superclass forgets it
+  if (!this->Superclass::ProcessViewRequest(type, input, output))
+  {
+    return 0;
+  }
+  if (type == vtkPVView::REQUEST_UPDATE())
+  {
+    this->UpdateDelivery(input);
+  }
+  else if (type == vtkPVView::REQUEST_RENDER())
+  {
+    this->Actor->SetVisibility(!this->DrawsElsewhere());
+    this->UpdateBlocks(blocksChanged);
+    this->UpdateOpacity();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdateDelivery(vtkInformation* input)
+{
+  // The same in all processes, client included, or they would wait for each other.
+  this->DrawsOnFirst = this->DrawOnOneProcess && GetNumberOfRenderingProcesses() > 1 &&
+    this->NeedsOrderedCompositing();
+  vtkPVRenderView::SetDeliverToAllProcesses(input, this, this->DrawsOnFirst);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::DrawsElsewhere() const
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return this->DrawsOnFirst && controller && controller->GetLocalProcessId() > 0;
+}
+
+//------------------------------------------------------------------------------
+// What the superclass does for the mapper that it has of its own.
+void vtkPellucidRepresentation::UpdateBlocks(bool changed)
+{
+  const std::array<vtkMapper*, 2> mappers{ this->Mapper, this->LODMapper };
+  for (std::size_t i = 0; i < mappers.size(); ++i)
+  {
+    if (vtkAlgorithm* segments = mappers[i]->GetInputAlgorithm())
+    {
+      segments->Update();
+    }
+    vtkDataObject* data = mappers[i]->GetInputDataObject(0, 0);
+    this->BlocksOutdated[i] = this->BlocksOutdated[i] || changed;
+    if (data && (this->BlocksOutdated[i] || this->BlockTimes[i] < data->GetMTime()))
+    {
+      this->PopulateBlockAttributes(
+        vtkTrajectoryMapper::SafeDownCast(mappers[i])->GetCompositeDataDisplayAttributes(), data);
+      this->BlocksOutdated[i] = false;
+      this->BlockTimes[i].Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdateOpacity()
+{
+  if (!this->HasImportance() || !this->Mapper->GetInputDataObject(0, 0))
+  {
+    vtkImportanceDrivenOpacity::Attach(this->Actor, nullptr);
+    return;
+  }
+  this->UsedImportanceRange = this->AutomaticImportanceRange
+    ? this->GetSegments()->GetImportanceRange()
+    : this->ImportanceRange;
+  vtkImportanceDrivenOpacity* opacity = this->Optimization;
+  if (this->OpacityMethod == OPTIMIZATION)
+  {
+    this->UpdateOptimization();
   }
   else
   {
-    vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
+    this->Avoidance->SetMode(this->OpacityMethod == PENALTY ? vtkOcclusionAvoidance::PENALTY
+                                                            : vtkOcclusionAvoidance::WEIGHTING);
+    opacity = this->Avoidance;
   }
+  opacity->SetImportanceArray(this->GetSegments()->GetImportanceArray().c_str());
+  opacity->SetImportanceRange(this->UsedImportanceRange.data());
+  vtkImportanceDrivenOpacity::Attach(this->Actor, opacity);
+  this->WarnOfOtherProcesses();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdateOptimization()
+{
+  vtkNew<vtkOpacityOptimization> preset;
+  vtkOpacityOptimization* wanted = this->OwnOptimization;
+  if (const char* name = vtkOpacityOptimization::GetPresetName(this->OpacityPreset))
+  {
+    preset->UsePreset(name, IsSurface(this->Mapper->GetInputDataObject(0, 0)));
+    wanted = preset;
+  }
+  const double strength = this->OpacityStrength;
+  this->Optimization->SetOcclusionWeight(strength * wanted->GetOcclusionWeight());
+  this->Optimization->SetClutterWeight(strength * wanted->GetClutterWeight());
+  this->Optimization->SetEmphasis(wanted->GetEmphasis());
+  this->Optimization->SetSmoothingIterations(wanted->GetSmoothingIterations());
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::WarnOfOtherProcesses()
+{
+  if (!this->WarnedOfOtherProcesses && !this->GetSeesAllFragments())
+  {
+    vtkWarningMacro("Each of the " << GetNumberOfRenderingProcesses()
+                                   << " processes finds opacities from its own fragments, and an "
+                                      "automatic importance range from "
+                                      "its own data: what another one draws is neither preferred "
+                                      "nor faded for it. Switch \"Draw On One Process\" on for a "
+                                      "picture in which all fragments count.");
+    this->WarnedOfOtherProcesses = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::GetSeesAllFragments()
+{
+  return this->DrawsOnFirst || GetNumberOfRenderingProcesses() == 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyStatistics* vtkPellucidRepresentation::GetStatistics()
+{
+  vtkExactTransparencyPass* pass = this->GetPass();
+  return pass ? pass->GetStatistics() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPellucidRepresentation::GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)())
+{
+  vtkTransparencyStatistics* statistics = this->GetStatistics();
+  return statistics ? (statistics->*get)() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPellucidRepresentation::GetFragments()
+{
+  return this->GetStatistic(&vtkTransparencyStatistics::GetFragments);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPellucidRepresentation::GetSolvedFragments()
+{
+  return this->GetStatistic(&vtkTransparencyStatistics::GetSolvedFragments);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPellucidRepresentation::GetLongestList()
+{
+  return this->GetStatistic(&vtkTransparencyStatistics::GetLongestList);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPellucidRepresentation::GetBufferBytes()
+{
+  return this->GetStatistic(&vtkTransparencyStatistics::GetBufferBytes);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPellucidRepresentation::GetStageTimes()
+{
+  std::ostringstream times;
+  times.imbue(std::locale::classic());
+  times << std::fixed << std::setprecision(1);
+  vtkTransparencyStatistics* statistics = this->GetStatistics();
+  const int stages = statistics ? statistics->GetNumberOfStages() : 0;
+  for (int stage = 0; stage < stages; ++stage)
+  {
+    times << (stage > 0 ? ", " : "") << statistics->GetStageName(stage) << " "
+          << statistics->GetStageMilliseconds(stage);
+  }
+  this->StageTimes = times.str();
+  return this->StageTimes.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto* mapper = this->GetMapper();
+  const char* radiusArray = mapper->GetRadiusArray();
+  os << indent << "View: " << this->View.GetPointer() << "\n";
+  os << indent << "Radius: " << mapper->GetRadius() << "\n";
+  os << indent << "RadiusArray: " << (radiusArray ? radiusArray : "") << "\n";
+  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << ", "
+     << this->ImportanceRange[1] << "\n";
+  os << indent << "AutomaticImportanceRange: " << this->AutomaticImportanceRange << "\n";
+  os << indent << "OpacityMethod: " << this->OpacityMethod << "\n";
+  os << indent << "OpacityPreset: " << this->OpacityPreset << "\n";
+  os << indent << "OpacityStrength: " << this->OpacityStrength << "\n";
+  os << indent << "DrawOnOneProcess: " << this->DrawOnOneProcess << "\n";
+  os << indent << "GatherScale: " << this->GatherScale << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "PictureView: " << this->PictureView << "\n";
+  os << indent << "PictureLayer: " << this->PictureLayer << "\n";
+  os << indent << "Segments:\n";
+  this->GetSegments()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "OwnOptimization:\n";
+  this->OwnOptimization->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Optimization:\n";
+  this->Optimization->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Avoidance:\n";
+  this->Avoidance->PrintSelf(os, indent.GetNextIndent());
 }
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPellucidRepresentation
- * @brief   ParaView's representation "Pellucid": trajectories as tubes, transparency exact.
+ * @brief   ParaView's representation "Pellucid": trajectories as tubes, transparency exact, and
+ *          opacities that show what is important.
  *
  * Lines are drawn as tubes and vertices as spheres by vtkTrajectoryMapper, polygons as always.
  * Colouring, opacity, lighting, blocks, selection and delivery of data are those of the superclass.
@@ -12,19 +13,43 @@
  * vtkTransparencyInstaller when the first of them becomes visible, and given back to ParaView when
  * the last one is hidden or removed.
  *
- * @sa vtkTrajectoryMapper vtkTransparencyInstaller
+ * With an importance array, what hides more important things fades. The data are then divided into
+ * segments where they are drawn, once (vtkSegmentedGeometry), levels of detail are off, since they
+ * have other segments, and everything else is settings of the next frame. The parameters are those
+ * of vtkOpacityOptimization and vtkOcclusionAvoidance, which describe them.
+ *
+ * Where a server of several processes renders, what is translucent is drawn by the first of them,
+ * which gets all of its data: only so the picture is the exact one, and opacities follow from all
+ * fragments. Without that (SetDrawOnOneProcess()) ParaView distributes the data and composites the
+ * pictures of the processes: layers at the borders of their parts may come in the wrong order, and
+ * each process finds opacities from its own fragments. GetSeesAllFragments() tells, and a warning.
+ *
+ * What concerns the whole view (gather scale, memory limit, what the view shows) belongs to its
+ * pass: the representation where it was set last decides, and the first that becomes visible.
+ *
+ * @sa vtkTrajectoryMapper vtkTransparencyInstaller vtkOpacityOptimization vtkOcclusionAvoidance
  */
 
 #ifndef vtkPellucidRepresentation_h
 #define vtkPellucidRepresentation_h
 
 #include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkNew.h"                           // for the parameters
 #include "vtkPellucidRepresentationsModule.h" // for the export macro
 #include "vtkWeakPointer.h"                   // for the view
 
+#include <array>  // for the range
+#include <string> // for texts
+
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkExactTransparencyPass;
+class vtkOcclusionAvoidance;
+class vtkOpacityOptimization;
 class vtkPVRenderView;
+class vtkSegmentedGeometry;
+class vtkSegmentedTrajectoryMapper;
+class vtkTransparencyStatistics;
 
 class VTKPELLUCIDREPRESENTATIONS_EXPORT vtkPellucidRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -42,7 +67,100 @@ public:
    * constant Radius. */
   void SetRadiusArray(const char* name);
 
+  /**
+   * Point array with one component that tells how important each point is; empty or "None"
+   * (default): opacities stay as they are. Only the name counts of the arguments.
+   */
+  void SetImportanceArray(int, int, int, int, const char* name);
+
+  ///@{
+  /**
+   * Values of the array that mean importance 0 and 1; reversed, small values are important. While
+   * AutomaticImportanceRange is on (default), it is the 50th to the 99th percentile of the array,
+   * or 0 to 1 if the array is called "Importance". GetUsedImportanceRange() is what was drawn last.
+   */
+  void SetImportanceRange(double first, double second)
+  {
+    this->ImportanceRange = { first, second };
+  }
+  void SetAutomaticImportanceRange(bool automatic) { this->AutomaticImportanceRange = automatic; }
+  double* GetUsedImportanceRange() VTK_SIZEHINT(2) { return this->UsedImportanceRange.data(); }
+  ///@}
+
+  /** How opacities follow from importance. */
+  enum OpacityMethods
+  {
+    OPTIMIZATION = 0,
+    PENALTY = 1,
+    WEIGHTING = 2
+  };
+  /** Default is OPTIMIZATION. */
+  void SetOpacityMethod(int method) { this->OpacityMethod = method; }
+
+  ///@{
+  /**
+   * Settings of the optimisation: one of those of vtkOpacityOptimization::GetPresetName(), which
+   * surfaces take with fewer smoothing steps, or, with the number behind the last, the four below
+   * as they are. Default is 0. The strength, at least 0, is a factor on q and r; default 1.
+   */
+  void SetOpacityPreset(int preset) { this->OpacityPreset = preset; }
+  void SetOpacityStrength(double strength) { this->OpacityStrength = strength; }
+  ///@}
+
+  ///@{
+  /** Of vtkOpacityOptimization; the first four have an effect without a preset. */
+  void SetOcclusionWeight(double weight);
+  void SetClutterWeight(double weight);
+  void SetEmphasis(double emphasis);
+  void SetSmoothingIterations(int iterations);
+  void SetSelfOcclusion(bool occludes);
+  ///@}
+
+  ///@{
+  /** Of vtkOcclusionAvoidance. */
+  void SetPenalty(double penalty);
+  void SetImportanceWeight(double weight);
+  void SetCoverageWeight(double weight);
+  void SetDirectionalVarianceWeight(double weight);
+  void SetDepthWeight(double weight);
+  void SetImportanceExponent(double exponent);
+  void SetGlobalOpacity(double opacity);
+  void SetSmoothAttributes(bool smooth);
+  ///@}
+
+  /** Of all lines together; 0 (default): chosen from the data. */
+  void SetNumberOfSegments(int segments);
+
+  /** Whether one of several rendering processes draws all that is translucent. Default is on. */
+  void SetDrawOnOneProcess(bool one) { this->DrawOnOneProcess = one; }
+
+  ///@{
+  /** Of vtkExactTransparencyPass, for the whole view. */
+  void SetGatherScale(int scale);
+  void SetMemoryLimit(int mebibytes);
+  void SetPictureView(int view);
+  void SetPictureLayer(int layer);
+  ///@}
+
+  ///@{
+  /** Of the view's last frame in this process; 0 before the first, and while it is not exact. */
+  vtkIdType GetFragments();
+  vtkIdType GetSolvedFragments();
+  vtkIdType GetLongestList();
+  vtkIdType GetBufferBytes();
+  ///@}
+
+  /** Stages of the view's last frame and their milliseconds, such as "gather 12.1, sort 3.4". */
+  const char* GetStageTimes();
+
+  /** Whether one process has all fragments that opacities follow from. */
+  bool GetSeesAllFragments();
+
   void SetVisibility(bool visible) override;
+  void SetSuppressLOD(bool suppress) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output) override;
 
 protected:
   vtkPellucidRepresentation();
@@ -50,15 +168,52 @@ protected:
 
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
+  bool NeedsOrderedCompositing() override;
 
 private:
   vtkPellucidRepresentation(const vtkPellucidRepresentation&) = delete;
   void operator=(const vtkPellucidRepresentation&) = delete;
 
-  // Whether the view shows another representation of this kind.
+  vtkSegmentedTrajectoryMapper* GetMapper();
+  vtkSegmentedGeometry* GetSegments();
+  bool HasImportance();
   void UpdateTransparency();
+  vtkExactTransparencyPass* GetPass();
+  vtkTransparencyStatistics* GetStatistics();
+  vtkIdType GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)());
+  void UpdatePass();
+  bool DrawsElsewhere() const;
+  void UpdateDelivery(vtkInformation* input);
+  void UpdateBlocks(bool changed);
+  void UpdateOpacity();
+  void UpdateOptimization();
+  void WarnOfOtherProcesses();
 
   vtkWeakPointer<vtkPVRenderView> View;
+  vtkNew<vtkOpacityOptimization> Optimization;
+  vtkNew<vtkOpacityOptimization> OwnOptimization; // without a preset
+  vtkNew<vtkOcclusionAvoidance> Avoidance;
+
+  std::array<double, 2> ImportanceRange{ { 0.0, 1.0 } };
+  std::array<double, 2> UsedImportanceRange{ { 0.0, 1.0 } };
+  bool AutomaticImportanceRange = true;
+  int OpacityMethod = OPTIMIZATION;
+  int OpacityPreset = 0;
+  double OpacityStrength = 1.0;
+  int GatherScale = 1;
+  int MemoryLimit = 1024;
+  int PictureView = 0;
+  int PictureLayer = 1;
+  bool WantsNoLOD = false;
+  bool DrawOnOneProcess = true;
+  bool DrawsOnFirst = false; // of several processes, in this frame
+
+  // Of the mapper and the one for levels of detail: when the attributes of blocks were set.
+  std::array<vtkTimeStamp, 2> BlockTimes;
+  std::array<bool, 2> BlocksOutdated{};
+
+  bool WarnedOfOtherProcesses = false;
+  std::string StageTimes;
 };
 
 VTK_ABI_NAMESPACE_END

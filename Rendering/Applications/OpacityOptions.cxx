@@ -10,7 +10,6 @@
 #include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace pellucid
@@ -18,9 +17,6 @@ namespace pellucid
 namespace
 {
 constexpr double LargestWeight = std::numeric_limits<float>::max();
-
-// Patches of surfaces are some six times as large as segments of lines: more would wash them out.
-constexpr int MostStepsOnSurfaces = 5;
 
 /** An option, and when it has an effect. */
 struct Requirement
@@ -162,12 +158,7 @@ vtkSmartPointer<vtkImportanceDrivenOpacity> MakeOptimization(
   auto parameters = vtkSmartPointer<Parameters>::New();
   if (!options.Preset.empty())
   {
-    parameters->UsePreset(options.Preset.c_str());
-  }
-  if (isSurface)
-  {
-    parameters->SetSmoothingIterations(
-      std::min(parameters->GetSmoothingIterations(), MostStepsOnSurfaces));
+    parameters->UsePreset(options.Preset.c_str(), isSurface);
   }
   SetIfGiven(parameters.Get(), &Parameters::SetOcclusionWeight, options.OcclusionWeight);
   SetIfGiven(parameters.Get(), &Parameters::SetClutterWeight, options.ClutterWeight);

@@ -3,6 +3,7 @@
 
 #include "vtkSceneSignature.h"
 
+#include "Importance.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
@@ -153,6 +154,12 @@ bool vtkSceneSignature::AddActor(vtkActor* actor)
   vtkImportanceDrivenOpacity* parameters = vtkImportanceDrivenOpacity::Get(actor);
   const char* importance = parameters ? parameters->GetImportanceArray() : nullptr;
   this->Names.emplace_back(importance ? importance : "");
+  if (parameters)
+  {
+    // NaN would never be the same.
+    const pellucid::ImportanceRange<double> range(parameters->GetImportanceRange());
+    this->Numbers.insert(this->Numbers.end(), { range.direction, range.first, range.last });
+  }
   return true;
 }
 

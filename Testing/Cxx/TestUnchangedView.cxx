@@ -184,6 +184,7 @@ bool TestGeometryChanges()
         array->Modified();
       } },
     { "name of importance", [](Scene& s) { s.Optimization->SetImportanceArray("Other"); } },
+    { "range of importance", [](Scene& s) { s.Optimization->SetImportanceRange(0.3, 0.6); } },
     { "user matrix", [](Scene& s) { s.Matrix->SetElement(0, 3, 0.4); } },
     { "light", [](Scene& s) { s.Light->SetPosition(-4.0, 3.0, 1.0); } },
     { "clipping plane", [](Scene& s) { s.Plane->SetOrigin(0.3, 0.0, 0.0); } },

@@ -63,6 +63,29 @@ class TestPluginRepresentation(unittest.TestCase):
         covered = self.covered()
         self.assertAlmostEqual(self.fragments() / covered, 2.0, delta=0.1)
 
+    def test_blocks(self):
+        """Visibility, colours and opacities of blocks, as the inspector of blocks sets them."""
+        left = simple.Sphere(Center=[-1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        right = simple.Sphere(Center=[1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        group = simple.GroupDatasets(Input=[left, right])
+        group.BlockNames = ["left", "right"]
+        display = self.show(group)
+        display.ColorArrayName = ["POINTS", ""]
+        both = self.covered()
+        display.BlockSelectors = ["/Root/left"]
+        self.assertAlmostEqual(self.covered() / both, 0.5, delta=0.02)
+        fragments = self.fragments()
+        display.BlockSelectors = ["/Root"]
+        self.assertEqual(self.covered(), both)
+        self.assertAlmostEqual(self.fragments() / fragments, 2.0, delta=0.02)
+        display.BlockColors = ["/Root/left", "1.0", "0.0", "0.0"]
+        display.BlockOpacities = ["/Root/right", "1.0"]
+        picture = self.picture()
+        middle = picture.shape[1] // 2
+        for half, is_red in ((picture[:, :middle], True), (picture[:, middle:], False)):
+            shown = half[(half != self.empty[:, :middle]).any(axis=2)].mean(axis=0)
+            self.assertEqual(bool(shown[0] > 1.5 * shown[1]), is_red)
+
     def test_an_unchanged_view_is_not_gathered_again(self):
         self.show(simple.Sphere(ThetaResolution=64, PhiResolution=64))
         self.view.LODThreshold = 0.0
