@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The representation "Pellucid" fades what hides more important things, live, as its properties say."""
 
-import os
 import pathlib
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -13,6 +12,7 @@ from vtkmodules.test import Testing
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import pellucid
+import plugin
 from pictures import picture, reference_picture
 
 XML = (pathlib.Path(Testing.VTK_DATA_ROOT).parent / "Plugin" / "Representations" /
@@ -46,7 +46,7 @@ def stream_lines():
 class TestPluginImportance(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        simple.LoadPlugin(os.environ["PELLUCID_PLUGIN"], remote=False, ns=vars(simple))
+        plugin.load_plugin()
 
     def setUp(self):
         self.view = simple.CreateView("RenderView", ViewSize=[200, 150], OrientationAxesVisibility=0,

@@ -15,24 +15,34 @@ from processes import HERE, program, run
 TEMPORARY = pathlib.Path(Testing.VTK_TEMP_DIR)
 
 
-def draw(name, partitions, *launcher):
+MPIRUN = shutil.which("mpirun")
+
+
+def draw(processes, sees_all, *options):
     """Draw; the picture, and the number of fragments of the first process."""
-    path = TEMPORARY / f"{name}.png"
-    said = run(*launcher, program("pvbatch"), HERE / "draw_distributed.py", path)
-    assert f"partitions: {partitions}" in said, said
+    path = TEMPORARY / f"parallel{processes}{''.join(options)}.png"
+    launcher = []
+    if processes > 1:
+        launcher = [MPIRUN, "--oversubscribe", "-n", processes]
+    if processes > 1 and os.geteuid() == 0:
+        launcher.append("--allow-run-as-root")
+    said = run(*launcher, program("pvbatch"), HERE / "draw_distributed.py", path, *options)
+    assert f"partitions: {processes}" in said, said
+    assert f"sees all fragments: {sees_all}" in said, said
     return read_png(path), int(said.rsplit("fragments:", 1)[1])
 
 
+@unittest.skipUnless(MPIRUN, "mpirun is not installed: parallel rendering is not tested")
 class TestPluginParallel(unittest.TestCase):
-    def test_two_processes_draw_the_picture_of_one(self):
-        mpirun = shutil.which("mpirun")
-        if not mpirun:
-            self.skipTest("mpirun is not installed: parallel rendering is not tested")
-        launcher = [mpirun, "--oversubscribe", "-n", "2"]
-        if os.geteuid() == 0:
-            launcher.append("--allow-run-as-root")
-        expected, all_fragments = draw("one", 1)
-        found, fragments = draw("two", 2, *launcher)
+    def test_one_of_several_processes_draws_all(self):
+        expected, all_fragments = draw(1, 1)
+        found, fragments = draw(2, 1)
+        self.assertEqual(fragments, all_fragments)
+        self.assertLessEqual(abs(found - expected).max(), 1)
+
+    def test_two_processes_draw_their_parts(self):
+        expected, all_fragments = draw(1, 1, "--in-parts")
+        found, fragments = draw(2, 0, "--in-parts")
         self.assertGreater(fragments, 0.2 * all_fragments)
         self.assertLess(fragments, 0.8 * all_fragments)
         self.assertEqual(found.shape, expected.shape)
