@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw translucent surfaces that are spread over all processes: draw_distributed.py PICTURE."""
+"""Draw translucent data that are spread over all processes: draw_distributed.py PICTURE ON_ONE_PROCESS."""
 
 import sys
 
@@ -21,6 +21,7 @@ lines = simple.Contour(Input=slices, ContourBy=["POINTS", "RTData"], Isosurfaces
 for source, opacity in ((shells, 0.3), (lines, 0.6)):
     display = plugin.show(source, view, opacity=opacity)
     display.TubeRadius = 0.4
+    display.DrawOnOneProcess = int(sys.argv[2])
     # The pieces are cut by their bounds and stay where they are.
     display.UseDataPartitions = 1
 plugin.place_camera(view)
