@@ -150,6 +150,16 @@ void vtkPellucidRepresentation::SetSuppressLOD(bool suppress)
 }
 
 //------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetArrayIdNames(const char* points, const char* cells)
+{
+  if (points || cells)
+  {
+    vtkWarningMacro("Tubes are selected by the ids of points and cells, not by the arrays \""
+      << (points ? points : "") << "\" and \"" << (cells ? cells : "") << "\".");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetOcclusionWeight(double weight)
 {
   this->OwnOptimization->SetOcclusionWeight(weight);
@@ -323,6 +333,7 @@ void vtkPellucidRepresentation::UpdatePass()
     pass->SetMemoryLimit(this->MemoryLimit);
     pass->SetView(this->PictureView);
     pass->SetLayer(this->PictureLayer);
+    pass->RoundTranslucentLayersOn(); // a client gets the bits of its own picture from a server
   }
 }
 

@@ -159,6 +159,10 @@ public:
   void SetVisibility(bool visible) override;
   void SetSuppressLOD(bool suppress) override;
 
+  /** Selections are by ids: names of arrays are refused, with a warning. (The superclass of
+   * ParaView 5.11 takes its mapper for one of VTK's.) */
+  void SetArrayIdNames(const char* points, const char* cells) override;
+
   int ProcessViewRequest(
     vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output) override;
 
