@@ -53,6 +53,14 @@ std::vector<vtkProp*> GetViewProps(vtkRenderer* renderer)
   }
   return props;
 }
+
+//------------------------------------------------------------------------------
+// Whether the frame is a part of a picture that is larger than the window.
+bool IsTile(vtkOpenGLRenderWindow* window)
+{
+  const int* scale = window->GetTileScale();
+  return scale[0] > 1 || scale[1] > 1;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -72,6 +80,7 @@ struct vtkExactTransparencyPass::Internals
 
     // What the frames before have left that is still right.
     bool HasSolved = false;  ///< the opacities of all segments
+    bool HasWhole = false;   ///< they are of a whole picture, not of a tile of a larger one
     bool HasAvoided = false; ///< the lists have the factors of occlusion avoidance
 
     vtkIdType GetBytes() const
@@ -95,6 +104,7 @@ struct vtkExactTransparencyPass::Internals
   // Each is said once.
   bool WarnedOfOpenGL = false;
   bool WarnedOfBlending = false;
+  bool WarnedOfTiles = false;
 
   bool HasAvoidance() const { return this->StoresImportance && this->Scene.HasAvoidance(); }
 
@@ -152,8 +162,8 @@ vtkTransparencyStatistics* vtkExactTransparencyPass::GetStatistics()
 vtkSmartPointer<vtkFloatArray> vtkExactTransparencyPass::GetOptimizedOpacities(vtkProp* actor)
 {
   Internals& internal = *this->Internal;
-  const vtkOptimizedScene::Member* member =
-    internal.Window && internal.GPU->HasSolved && internal.Scene.HasOptimization()
+  const vtkOptimizedScene::Member* member = internal.Window &&
+      (internal.GPU->HasSolved || internal.GPU->HasWhole) && internal.Scene.HasOptimization()
     ? internal.Scene.Find(actor)
     : nullptr;
   if (!member || member->Avoids)
@@ -368,6 +378,7 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
   if (isFirst || change != Change::None)
   {
     gpu.HasSolved = false;
+    gpu.HasWhole = false;
     gpu.HasAvoided = gpu.HasAvoided && !scene.HasAvoidance();
     scene.MapImportances();
     const bool uploaded = isFirst || change == Change::Segments
@@ -434,6 +445,14 @@ void vtkExactTransparencyPass::OptimizeOpacities()
 {
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
+  if (IsTile(internal.Window) && internal.Scene.HasOptimization())
+  {
+    if (gpu.HasWhole)
+    {
+      return;
+    }
+    this->WarnOfTiles();
+  }
   this->FadeOpacities();
   if (!gpu.HasSolved)
   {
@@ -447,8 +466,21 @@ void vtkExactTransparencyPass::OptimizeOpacities()
       gpu.Opacities.Forget();
     }
     gpu.HasSolved = true;
+    gpu.HasWhole = !IsTile(internal.Window);
   }
   this->Statistics->SetFading(gpu.Opacities.IsFading());
+}
+
+//------------------------------------------------------------------------------
+void vtkExactTransparencyPass::WarnOfTiles()
+{
+  if (!this->Internal->WarnedOfTiles)
+  {
+    vtkWarningMacro("The parts of a picture that is larger than the window find opacities of their "
+                    "own, which may differ where they meet. Render the window once before, to "
+                    "give them those of the whole view.");
+    this->Internal->WarnedOfTiles = true;
+  }
 }
 
 //------------------------------------------------------------------------------

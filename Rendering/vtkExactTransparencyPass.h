@@ -43,6 +43,10 @@
  * exponent) and a 32-bit float depth. Compositing is in single precision and stops where the rest
  * of a list weighs less than 1/8192, a thirtieth of an 8-bit step.
  *
+ * A picture that is larger than the window (vtkWindowToImageFilter::SetScale(), ParaView's large
+ * screenshots) comes in parts: they all take the optimised opacities of the last frame that showed
+ * the whole view. Without such a frame they find their own, with a warning.
+ *
  * Multisampled targets keep the antialiasing of opaque edges: fragments are gathered once for each
  * pixel and composited over each sample with that sample's depth.
  *
@@ -235,6 +239,7 @@ private:
   void BeginSweeps(const vtkRenderState* state, const vtkPixelRectangle& picture);
   void OptimizeOpacities();
   void FadeOpacities();
+  void WarnOfTiles();
   void PrepareAvoidance(vtkRenderer* renderer, const vtkPixelRectangle& picture);
   void FindAttributes();
   void Avoid();

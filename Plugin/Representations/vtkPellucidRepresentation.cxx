@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPellucidRepresentation.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkExactTransparencyPass.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionAvoidance.h"
@@ -40,6 +43,9 @@ namespace
 {
 // As ParaView's panel has it for no array.
 constexpr char NoArray[] = "None";
+
+// Of vtkTrajectoryMapper, as a share of the diagonal of the bounds.
+constexpr double LargestAutomaticRadius = 1.0 / 200.0;
 
 //------------------------------------------------------------------------------
 bool IsSurface(vtkDataObject* geometry)
@@ -355,6 +361,7 @@ int vtkPellucidRepresentation::ProcessViewRequest(
   if (type == vtkPVView::REQUEST_UPDATE())
   {
     this->UpdateDelivery(input);
+    this->UpdateBounds(input);
   }
   else if (type == vtkPVView::REQUEST_RENDER())
   {
@@ -372,6 +379,50 @@ void vtkPellucidRepresentation::UpdateDelivery(vtkInformation* input)
   this->DrawsOnFirst = this->DrawOnOneProcess && GetNumberOfRenderingProcesses() > 1 &&
     this->NeedsOrderedCompositing();
   vtkPVRenderView::SetDeliverToAllProcesses(input, this, this->DrawsOnFirst);
+}
+
+//------------------------------------------------------------------------------
+// With room for the tubes from the first frame on, also in a client that has no data: planes that
+// clip, which follow from the bounds, else differ between frames and processes.
+void vtkPellucidRepresentation::UpdateBounds(vtkInformation* input)
+{
+  vtkBoundingBox bounds(this->VisibleDataBounds);
+  if (bounds.IsValid())
+  {
+    bounds.Inflate(this->GetLargestRadius(bounds.GetDiagonalLength()));
+    double inflated[6];
+    bounds.GetBounds(inflated);
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(input, this, inflated, matrix);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPellucidRepresentation::GetLargestRadius(double diagonal)
+{
+  const auto leaves =
+    vtkCompositeDataSet::GetDataSets<vtkPolyData>(this->MultiBlockMaker->GetOutputDataObject(0));
+  const char* name = this->GetMapper()->GetRadiusArray();
+  double largest = 0.0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    vtkDataArray* radii = name ? leaf->GetPointData()->GetArray(name) : nullptr;
+    if (leaf->GetNumberOfVerts() + leaf->GetNumberOfLines() == 0)
+    {
+      continue;
+    }
+    if (radii)
+    {
+      largest = std::max(largest, radii->GetRange(0)[1]);
+    }
+    else
+    {
+      const double constant = this->GetMapper()->GetRadius();
+      largest = std::max(largest, constant > 0.0 ? constant : LargestAutomaticRadius * diagonal);
+    }
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------

@@ -188,6 +188,8 @@ private:
   void UpdatePass();
   bool DrawsElsewhere() const;
   void UpdateDelivery(vtkInformation* input);
+  void UpdateBounds(vtkInformation* input);
+  double GetLargestRadius(double diagonal);
   void UpdateBlocks(bool changed);
   void UpdateOpacity();
   void UpdateOptimization();

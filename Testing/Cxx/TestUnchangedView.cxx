@@ -14,6 +14,7 @@
 #include "vtkPlane.h"
 #include "vtkSelection.h"
 #include "vtkShaderProperty.h"
+#include "vtkTestErrorObserver.h"
 #include "vtkUniforms.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -439,6 +440,47 @@ bool TestLevelsOfDetail()
 }
 
 //------------------------------------------------------------------------------
+// The parts of a picture that is larger than the window have the opacities of the whole view.
+bool TestTiles()
+{
+  const auto drawTiles = [](Scene& scene)
+  {
+    vtkNew<vtkWindowToImageFilter> tiles;
+    tiles->SetInput(scene.Window);
+    tiles->SetScale(2);
+    tiles->ReadFrontBufferOff();
+    tiles->Update();
+    int size[3];
+    tiles->GetOutput()->GetDimensions(size);
+    return Check(size[0] == 2 * 120 && size[1] == 2 * 90, "size of the picture of tiles");
+  };
+  const auto getOpacities = [](Scene& scene)
+  {
+    auto opacities = scene.Pass->GetOptimizedOpacities(scene.Lines);
+    return std::vector<float>(
+      opacities->GetPointer(0), opacities->GetPointer(0) + opacities->GetNumberOfValues());
+  };
+  Scene scene;
+  vtkNew<vtkTest::ErrorObserver> warnings;
+  scene.Pass->AddObserver(vtkCommand::WarningEvent, warnings);
+  scene.Window->Render();
+  const std::vector<float> whole = getOpacities(scene);
+  bool passed = drawTiles(scene);
+  passed &= Check(!RanStage(scene.Pass, "solve"), "a tile: " + GetStages(scene.Pass));
+  passed &= Check(getOpacities(scene) == whole, "a tile has opacities of its own");
+  scene.Optimization->SetOcclusionWeight(7.0);
+  passed &= Check(!warnings->GetWarning(), "a warning of tiles without need");
+  passed &= drawTiles(scene);
+  passed &= Check(RanStage(scene.Pass, "solve"), "a tile has the opacities of other settings");
+  passed &=
+    Check(warnings->GetWarningMessage().find("Render the window once before") != std::string::npos,
+      "no warning of tiles");
+  scene.Window->Render();
+  passed &= Check(RanStage(scene.Pass, "solve"), "the view has the opacities of a tile");
+  return passed;
+}
+
+//------------------------------------------------------------------------------
 // Data and parameters that change while nothing is optimised are seen when it is again.
 bool TestChangesMeanwhile()
 {
@@ -477,6 +519,7 @@ int TestUnchangedView(int, char*[])
   passed &= TestNothingChanges();
   passed &= TestUncertainProps();
   passed &= TestLevelsOfDetail();
+  passed &= TestTiles();
   passed &= TestChangesMeanwhile();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

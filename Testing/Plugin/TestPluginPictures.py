@@ -10,7 +10,7 @@ from paraview import simple
 from vtkmodules.test import Testing
 
 from pictures import read_png
-from plugin import create_view, draw_scene, fragments, load_plugin, picture, save, show
+from plugin import create_view, draw_scene, fragments, load_plugin, picture, save, show, silence
 
 TEMPORARY = pathlib.Path(Testing.VTK_TEMP_DIR)
 
@@ -52,7 +52,7 @@ class TestPluginPictures(unittest.TestCase):
         larger = create_view(400)
         for view in (self.view, larger):
             view.UseFXAA = 0  # it does not look across the edges of tiles
-            draw_scene(view)
+            draw_scene(view).ImportanceArray = ["POINTS", "None"]
         expected = picture(larger)
         total = fragments(larger)
         simple.Delete(larger)
@@ -62,6 +62,14 @@ class TestPluginPictures(unittest.TestCase):
         # Coordinates of fragments are rounded differently: some lie in the next pixel.
         different = abs(tiled - expected).max(axis=2)
         self.assertLess((different > 0).mean(), 0.0005)
+
+    def test_tiles_have_the_opacities_of_the_view(self):
+        display = draw_scene(self.view)
+        simple.Render(self.view)
+        with silence(self):
+            save(TEMPORARY / "faded.png", self.view, ImageResolution=[400, 400])
+        display.SMProxy.UpdatePropertyInformation()
+        self.assertEqual(display.GetPropertyValue("SolvedFragments"), 0)
 
     def test_a_transparent_background_keeps_the_coverage(self):
         self.show_ball()

@@ -58,9 +58,13 @@ def place_camera(view):
 
 
 def draw_scene(view):
-    """Translucent lines and surfaces through one another, stock ones among them; the lines' display."""
+    """Fading lines and translucent surfaces, stock ones among them; the display of the lines."""
     lines = show(stream_lines(), view)
     lines.TubeRadius = 0.4
+    lines.ImportanceArray = ["POINTS", "RTData"]
+    lines.AutomaticImportanceRange = 0
+    lines.ImportanceRange = [150.0, 260.0]
+    lines.OpacityPreset = "Balanced"
     simple.ColorBy(lines, ("POINTS", "RTData"))
     shells = simple.Contour(Input=simple.Wavelet(), ContourBy=["POINTS", "RTData"])
     shells.Isosurfaces = [130.0, 200.0]
