@@ -18,7 +18,7 @@ lines = simple.StreamTracerWithCustomSource(
     Input=gradient, SeedSource=seeds, Vectors=["POINTS", "Velocity"]
 )
 lines.MaximumStreamlineLength = 30.0
-# A vorticity up to 300 per unit of time is not important, one from 1200 on is.
+# A vorticity of 300 is not important, one of 1200 is.
 importance = simple.Importance(Input=lines, Criteria=["Vorticity", "300", "1200", "1", "0", "0"])
 
 view = simple.CreateView("RenderView", ViewSize=[900, 600], OrientationAxesVisibility=0)
