@@ -20,7 +20,7 @@ lines = simple.StreamTracerWithCustomSource(
 lines.MaximumStreamlineLength = 30.0
 fast = simple.Importance(Input=lines, Criteria=["Velocity", "300", "900", "1", "0", "0"])
 
-view = simple.CreateView("RenderView", ViewSize=[900, 600], OrientationAxesVisibility=0)
+view = simple.CreateView("RenderView", ViewSize=[540, 360], OrientationAxesVisibility=0)
 simple.AssignViewToLayout(view)
 view.UseColorPaletteForBackground = 0
 view.Background = [1.0, 1.0, 1.0]
@@ -43,6 +43,6 @@ for each in (shell, display):
 display.TubeRadius = 0.08
 
 if len(sys.argv) > 1:
-    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[900, 600])
+    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[540, 360])
 if len(sys.argv) > 2:
     simple.SaveState(sys.argv[2])

@@ -16,7 +16,7 @@ importance = simple.Importance(
     Input=attributes, Criteria=["TotalPressureDifference", "200", "550", "1", "0", "0"]
 )
 
-view = simple.CreateView("RenderView", ViewSize=[1000, 340], OrientationAxesVisibility=0)
+view = simple.CreateView("RenderView", ViewSize=[630, 220], OrientationAxesVisibility=0)
 simple.AssignViewToLayout(view)
 view.UseColorPaletteForBackground = 0
 view.Background = [1.0, 1.0, 1.0]
@@ -37,6 +37,6 @@ display.ImportanceArray = "Importance"
 display.OpacityPreset = "Clear Back"
 
 if len(sys.argv) > 1:
-    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[1000, 340])
+    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[630, 220])
 if len(sys.argv) > 2:
     simple.SaveState(sys.argv[2])

@@ -21,7 +21,7 @@ lines.MaximumStreamlineLength = 30.0
 # A vorticity of 300 is not important, one of 1200 is.
 importance = simple.Importance(Input=lines, Criteria=["Vorticity", "300", "1200", "1", "0", "0"])
 
-view = simple.CreateView("RenderView", ViewSize=[900, 600], OrientationAxesVisibility=0)
+view = simple.CreateView("RenderView", ViewSize=[540, 360], OrientationAxesVisibility=0)
 simple.AssignViewToLayout(view)
 view.UseColorPaletteForBackground = 0
 view.Background = [1.0, 1.0, 1.0]
@@ -39,6 +39,6 @@ display.TubeRadius = 0.05
 display.ImportanceArray = "Importance"
 
 if len(sys.argv) > 1:
-    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[900, 600])
+    simple.SaveScreenshot(sys.argv[1], view, ImageResolution=[540, 360])
 if len(sys.argv) > 2:
     simple.SaveState(sys.argv[2])
