@@ -5,5 +5,7 @@
 from paraview import simple
 
 simple.LoadState("Plugin/Examples/vortices.pvsm")
-simple.SetActiveView(simple.GetRenderViews()[0])
+view = simple.GetRenderViews()[0]
+view.CameraViewAngle = 38.0  # the view is narrower than that of the state
+simple.SetActiveView(view)
 simple.SetActiveSource(simple.FindSource("Importance1"))
