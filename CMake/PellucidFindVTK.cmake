@@ -8,6 +8,7 @@ set(pellucid_vtk_components
   CommonDataModel
   CommonExecutionModel
   CommonMath
+  CommonSystem
   CommonTransforms
   FiltersCore
   FiltersFlowPaths

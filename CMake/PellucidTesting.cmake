@@ -41,7 +41,7 @@ set(pellucid_test_failures
 #[[
 pellucid_add_test(NAME <name> LABELS <label>... COMMAND <command>...
                   [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...]
-                  [EXPECTED <regular expression>])
+                  [EXPECTED <regular expression>] [REQUIRES <fixture>])
 
 Add one ctest entry, or with WINDOW one for each class of PELLUCID_TEST_WINDOWS. The command gets
 VTK's options -D <Data folder>, -T <folder for output> and -V <baseline picture of that name>, which
@@ -50,7 +50,7 @@ wrong OpenGL call or a sanitizer's finding fails a test even if the program retu
 EXPECTED passes when the program says that and not otherwise: for what has to be refused.
 ]]
 function (pellucid_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 test "WINDOW" "NAME;TIMEOUT;EXPECTED" "LABELS;COMMAND;ENVIRONMENT")
+  cmake_parse_arguments(PARSE_ARGV 0 test "WINDOW" "NAME;TIMEOUT;EXPECTED;REQUIRES" "LABELS;COMMAND;ENVIRONMENT")
   if (NOT test_TIMEOUT)
     set(test_TIMEOUT 300)
   endif ()
@@ -83,7 +83,8 @@ function (pellucid_add_test)
     set_tests_properties("${name}" PROPERTIES
       LABELS "${test_LABELS}"
       TIMEOUT "${test_TIMEOUT}"
-      ENVIRONMENT "${environment}")
+      ENVIRONMENT "${environment}"
+      FIXTURES_REQUIRED "${test_REQUIRES}")
     if (test_EXPECTED)
       set_tests_properties("${name}" PROPERTIES PASS_REGULAR_EXPRESSION "${test_EXPECTED}")
     else ()
@@ -124,13 +125,14 @@ endfunction ()
 
 #[[
 pellucid_add_python_tests(<interpreter> LABELS <label>... TESTS <test>...
-                          [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...])
+                          [WINDOW] [TIMEOUT <seconds>] [ENVIRONMENT <VAR=value>...]
+                          [REQUIRES <fixture>])
 
 Add tests that the interpreter runs: TestX.py of each test TestX, a module of unittest cases that
 finds the package of the build tree and Testing/Python/pictures.py.
 ]]
 function (pellucid_add_python_tests interpreter)
-  cmake_parse_arguments(PARSE_ARGV 1 python "WINDOW" "TIMEOUT" "LABELS;TESTS;ENVIRONMENT")
+  cmake_parse_arguments(PARSE_ARGV 1 python "WINDOW" "TIMEOUT;REQUIRES" "LABELS;TESTS;ENVIRONMENT")
   set(options "")
   if (python_WINDOW)
     list(APPEND options WINDOW)
@@ -138,7 +140,8 @@ function (pellucid_add_python_tests interpreter)
   set(package "${CMAKE_BINARY_DIR}/${pellucid_python_destination}")
   set(shared "${PROJECT_SOURCE_DIR}/Testing/Python")
   foreach (test IN LISTS python_TESTS)
-    pellucid_add_test(NAME "${test}" LABELS ${python_LABELS} TIMEOUT "${python_TIMEOUT}" ${options}
+    pellucid_add_test(NAME "${test}" LABELS ${python_LABELS} TIMEOUT "${python_TIMEOUT}"
+      REQUIRES "${python_REQUIRES}" ${options}
       COMMAND "${interpreter}" "${shared}/run.py" "${CMAKE_CURRENT_SOURCE_DIR}/${test}.py"
         -B "${pellucid_test_baselines}"
       ENVIRONMENT "PYTHONPATH=${package}:${shared}" ${python_ENVIRONMENT})

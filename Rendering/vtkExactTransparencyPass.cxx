@@ -604,7 +604,7 @@ void vtkExactTransparencyPass::Resolve(vtkIdType longestList)
     this->Avoid();
   }
   vtkStageTimers::Scope stage(gpu.Timers, "resolve");
-  const vtkPictureView view{ this->View, this->Layer, longestList };
+  const vtkPictureView view{ this->View, this->Layer, longestList, this->RoundTranslucentLayers };
   if (gpu.Sweep.GetNumberOfLongLists() > 0)
   {
     this->CollapseLongLists(view);
@@ -700,6 +700,7 @@ void vtkExactTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "View: " << this->View << "\n";
   os << indent << "Layer: " << this->Layer << "\n";
+  os << indent << "RoundTranslucentLayers: " << this->RoundTranslucentLayers << "\n";
   os << indent << "GatherScale: " << this->GatherScale << "\n";
   os << indent << "FadeTime: " << this->FadeTime << " s\n";
   os << indent << "FrameTime: " << this->FrameTime << " s\n";

@@ -138,6 +138,18 @@ public:
 
   ///@{
   /**
+   * Whether what all translucent layers come to is rounded to 8 bits before the opaque scene comes
+   * behind it. Off (the default), only the picture is rounded. On, it has the same bits as where
+   * the two are put together later, such as by the client of a server that draws, at the price of
+   * an error of up to 1 of 255 instead of 1/2.
+   */
+  vtkSetMacro(RoundTranslucentLayers, bool);
+  vtkGetMacro(RoundTranslucentLayers, bool);
+  vtkBooleanMacro(RoundTranslucentLayers, bool);
+  ///@}
+
+  ///@{
+  /**
    * Optimised opacities (vtkOpacityOptimization) are found in a picture of 1/GatherScale of the
    * width and height, 1 (the default) to 4. Above 1 the geometry is drawn twice, small and
    * large; segments that cover less than such a pixel may be missed, and then show with the opacity
@@ -235,6 +247,7 @@ private:
   int MemoryLimit = 1024;
   int View = VIEW_PICTURE;
   int Layer = 1;
+  bool RoundTranslucentLayers = false;
   int GatherScale = 1;
   double FadeTime = 0.0;
   double FrameTime = -1.0;

@@ -56,6 +56,8 @@ void vtkImportanceDrivenOpacity::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArray: " << (this->ImportanceArray ? this->ImportanceArray : "(none)")
      << "\n";
+  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << " " << this->ImportanceRange[1]
+     << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -46,12 +46,28 @@ public:
 
   ///@{
   /**
-   * Name of the point array of one component that holds the importance in [0,1]; values outside are
-   * clamped, and NaN counts as 0. Default is "Importance", as vtkImportance makes it. Data that
-   * lacks it has importance 0, with a warning.
+   * Name of the point array of one component that importance follows from, over ImportanceRange.
+   * Default is "Importance", as vtkImportance makes it. Data that lacks it has importance 0, with a
+   * warning.
    */
   vtkSetStringMacro(ImportanceArray);
   vtkGetStringMacro(ImportanceArray);
+  ///@}
+
+  ///@{
+  /**
+   * The values of the importance array that mean importance 0 and 1; between them it changes
+   * linearly, outside it is moved to the nearer end. Default is (0, 1). The first may be the
+   * greater one: then small values are important. Where both are equal, importance is 1 from that
+   * value on, else 0. NaN in the data counts as 0. While an end of the range is NaN or infinite,
+   * nothing is important.
+   *
+   * Importance is found at the points and interpolated between them. A change takes one frame,
+   * which draws the actor anew without running its pipeline. Surfaces hold values and range in
+   * single precision: a range should be no narrower than 1e-4 of the values in it.
+   */
+  vtkSetVector2Macro(ImportanceRange, double);
+  vtkGetVector2Macro(ImportanceRange, double);
   ///@}
 
 protected:
@@ -63,6 +79,7 @@ private:
   void operator=(const vtkImportanceDrivenOpacity&) = delete;
 
   char* ImportanceArray = nullptr;
+  double ImportanceRange[2] = { 0.0, 1.0 };
 };
 
 VTK_ABI_NAMESPACE_END

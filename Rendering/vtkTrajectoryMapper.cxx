@@ -6,8 +6,8 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDisplayedLeaf.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImportanceDrivenOpacity.h"
 #include "vtkInformation.h"
@@ -93,7 +93,7 @@ public:
   {
   }
 
-  /** Follow changes of the input and of the radius. */
+  /** Follow changes of the input, of its display and of the radius. */
   void UpdateNodes();
 
   void Render(vtkRenderer* renderer, vtkActor* actor);
@@ -148,6 +148,7 @@ private:
   bool UsesPropertyColor = false;
   std::vector<vtkMTimeType> OpacityTimes;
   std::string ImportanceArray;
+  pellucid::ImportanceRange<double> ImportanceRange;
   std::vector<vtkMTimeType> SegmentTimes;
   vtkWeakPointer<vtkWindow> Window;
 };
@@ -155,29 +156,8 @@ private:
 //------------------------------------------------------------------------------
 std::vector<vtkTrajectoryNodes::Leaf> vtkTrajectoryMapper::Parts::FindLeaves() const
 {
-  std::vector<vtkTrajectoryNodes::Leaf> leaves;
-  const auto add = [&leaves](vtkDataObject* object, unsigned int flatIndex)
-  {
-    vtkPolyData* data = vtkPolyData::SafeDownCast(object);
-    if (data && data->GetNumberOfPoints() > 0)
-    {
-      leaves.push_back({ data, flatIndex });
-    }
-  };
-  vtkDataObject* input = this->Owner->GetInputDataObject(0, 0);
-  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
-    }
-  }
-  else
-  {
-    add(input, 1);
-  }
-  return leaves;
+  return vtkFindDisplayedLeaves(
+    this->Owner->GetInputDataObject(0, 0), this->Owner->GetCompositeDataDisplayAttributes());
 }
 
 //------------------------------------------------------------------------------
@@ -196,6 +176,7 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
   }
   if (key == this->Key)
   {
+    this->Nodes.UpdateDisplay(std::move(leaves));
     return;
   }
   this->Nodes.Build(std::move(leaves), key.Radius, key.RadiusArray);
@@ -234,7 +215,8 @@ void vtkTrajectoryMapper::Parts::UpdateNodes()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkTrajectoryMapper::Parts::GetAppearanceTime(vtkActor* actor) const
 {
-  vtkMTimeType time = this->Owner->GetMTime();
+  // Without the attributes of blocks, which change neither colour nor vertex buffers.
+  vtkMTimeType time = this->Owner->vtkPolyDataMapper::GetMTime();
   for (const auto& leaf : this->Nodes.GetLeaves())
   {
     time = std::max(time, leaf.Data->GetMTime());
@@ -319,24 +301,32 @@ void vtkTrajectoryMapper::Parts::UpdateSegments(vtkActor* actor)
   vtkImportanceDrivenOpacity* parameters = vtkImportanceDrivenOpacity::Get(actor);
   const char* name = parameters ? parameters->GetImportanceArray() : nullptr;
   const std::string array = name ? name : "";
+  pellucid::ImportanceRange<double> range;
   const auto& leaves = this->Nodes.GetLeaves();
   std::vector<vtkMTimeType> times;
   if (parameters)
   {
+    range = pellucid::ImportanceRange<double>(parameters->GetImportanceRange());
     times = vtkTrajectorySegmentNodes::GetTimes(leaves, array);
   }
-  if (times == this->SegmentTimes && array == this->ImportanceArray)
+  const bool sameArrays = times == this->SegmentTimes && array == this->ImportanceArray;
+  if (sameArrays && range == this->ImportanceRange)
   {
     return;
   }
   this->SegmentTimes = std::move(times);
   this->ImportanceArray = array;
-  this->Cones->SetSegments(parameters ? vtkTrajectorySegmentNodes::Make(this->Nodes, array)
+  this->ImportanceRange = range;
+  this->Cones->SetSegments(parameters ? vtkTrajectorySegmentNodes::Make(this->Nodes, array, range)
                                       : std::vector<vtkTrajectorySegmentNodes::Node>());
+  // Polygons have the values as they are, for shaders to map; bringing them uploads all data.
   for (const auto& part : this->Polygons)
   {
-    part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC", parameters ? name : nullptr,
-      vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    if (!sameArrays)
+    {
+      part->Mapper->MapDataArrayToVertexAttribute("pellucidImportanceMC",
+        parameters ? name : nullptr, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
   }
 }
 
@@ -380,8 +370,13 @@ void vtkTrajectoryMapper::Parts::Render(vtkRenderer* renderer, vtkActor* actor)
   }
   for (std::size_t i = 0; i < this->Polygons.size(); ++i)
   {
-    this->RenderPart(
-      this->Polygons[i]->Mapper, FirstPolygonPart + static_cast<unsigned int>(i), renderer, actor);
+    vtkPolygonPartMapper* part = this->Polygons[i]->Mapper;
+    const vtkBlockDisplay& display = this->Nodes.GetLeaves()[this->Polygons[i]->Leaf].Display;
+    if (display.IsDrawn(selector != nullptr))
+    {
+      part->SetDisplay(display);
+      this->RenderPart(part, FirstPolygonPart + static_cast<unsigned int>(i), renderer, actor);
+    }
   }
   if (selector)
   {
@@ -439,19 +434,34 @@ bool vtkTrajectoryMapper::Parts::IsTranslucent() const
   const auto leaves = this->FindLeaves();
   return std::any_of(leaves.begin(), leaves.end(),
     [&](const auto& leaf)
-    { return opacities.IsTranslucent(leaf.Data) || this->HasTranslucentColors(leaf.Data); });
+    {
+      return leaf.Display.Visible &&
+        (leaf.Display.Opacity.value_or(1.0) < 1.0 || opacities.IsTranslucent(leaf.Data) ||
+          this->HasTranslucentColors(leaf.Data));
+    });
 }
 
 //------------------------------------------------------------------------------
 vtkBoundingBox vtkTrajectoryMapper::Parts::GetBounds()
 {
   this->UpdateNodes();
-  vtkBoundingBox bounds = this->Nodes.GetBounds();
+  vtkBoundingBox bounds;
+  const auto& leaves = this->Nodes.GetLeaves();
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    if (leaves[i].Display.Visible)
+    {
+      bounds.AddBox(this->Nodes.GetBounds(i));
+    }
+  }
   for (const auto& part : this->Polygons)
   {
-    double cells[6];
-    this->Nodes.GetLeaves()[part->Leaf].Data->GetCellsBounds(cells);
-    bounds.AddBounds(cells);
+    if (leaves[part->Leaf].Display.Visible)
+    {
+      double cells[6];
+      leaves[part->Leaf].Data->GetCellsBounds(cells);
+      bounds.AddBounds(cells);
+    }
   }
   return bounds;
 }
@@ -562,6 +572,30 @@ int vtkTrajectoryMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInfor
 }
 
 //------------------------------------------------------------------------------
+void vtkTrajectoryMapper::SetCompositeDataDisplayAttributes(
+  vtkCompositeDataDisplayAttributes* attributes)
+{
+  if (this->BlockAttributes != attributes)
+  {
+    this->BlockAttributes = attributes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCompositeDataDisplayAttributes* vtkTrajectoryMapper::GetCompositeDataDisplayAttributes()
+{
+  return this->BlockAttributes;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTrajectoryMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->BlockAttributes ? std::max(time, this->BlockAttributes->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
 double vtkTrajectoryMapper::GetEffectiveRadius()
 {
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -623,6 +657,7 @@ void vtkTrajectoryMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetRadius(other->GetRadius());
     this->SetRadiusArray(other->GetRadiusArray());
     this->SetOpacityArray(other->GetOpacityArray());
+    this->SetCompositeDataDisplayAttributes(other->GetCompositeDataDisplayAttributes());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -634,6 +669,7 @@ void vtkTrajectoryMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
   os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
+  os << indent << "CompositeDataDisplayAttributes: " << this->BlockAttributes.Get() << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

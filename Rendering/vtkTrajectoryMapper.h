@@ -33,8 +33,15 @@
  * colour by take the colour of the actor's property; where InterpolateScalarsBeforeMapping is on,
  * they and leaves with direct colours take that of NaN.
  *
+ * In composite data, blocks can be invisible, not pickable, of an opacity of their own in place of
+ * the property's, and of a colour of their own in place of all others, also those of scalars; see
+ * SetCompositeDataDisplayAttributes(). What is not drawn does not count for the bounds, but for the
+ * automatic radius, so that this stays as it is. With a visible block below opacity 1 the actor is
+ * translucent.
+ *
  * Cost: 16 bytes of graphics memory for a point, 4 for its colour and 4 for its factor of opacity.
- * Work on the CPU happens only when the data, radii, colours or opacities change.
+ * Work on the CPU happens only when the data, radii, colours or opacities change, and not when it
+ * is how blocks are displayed.
  *
  * @sa vtkExactTransparencyPass vtkTubeFilter vtkPolyDataMapper
  */
@@ -44,10 +51,13 @@
 
 #include "vtkPellucidRenderingModule.h" // for the export macro
 #include "vtkPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for the attributes of blocks
 
 #include <memory> // for the implementation
 
 VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCompositeDataDisplayAttributes;
 
 class VTKPELLUCIDRENDERING_EXPORT vtkTrajectoryMapper : public vtkPolyDataMapper
 {
@@ -90,8 +100,22 @@ public:
   vtkGetStringMacro(OpacityArray);
   ///@}
 
+  ///@{
+  /**
+   * How blocks of composite data are displayed: visibility, pickability, opacity and colour; a
+   * block without takes that of its parent. Opacities replace that of the property, and those of
+   * scalars and of the opacity array multiply them. The rest of the attributes is not used.
+   * Default: none.
+   */
+  void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
+  vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes();
+  ///@}
+
   /** The constant radius in use: Radius, or the automatic one. Updates the input. */
   double GetEffectiveRadius();
+
+  /** Includes that of the attributes of blocks. */
+  vtkMTimeType GetMTime() override;
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -117,6 +141,7 @@ private:
   double Radius = 0.0;
   char* RadiusArray = nullptr;
   char* OpacityArray = nullptr;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> BlockAttributes;
 
   class Parts;
   std::unique_ptr<Parts> Drawing;

@@ -14,7 +14,8 @@
 #include "vtkRenderer.h"
 #include "vtkSSAAPass.h"
 
-#include <string>
+#include <algorithm>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -26,37 +27,44 @@ namespace
 // After observers with the default priority, which may set up passes of their own.
 constexpr float ObserverPriority = -1.0f;
 
-vtkRenderPass* GetDelegate(vtkRenderPass* pass)
+// How a class of passes gives and takes the one that it holds.
+struct HolderClass
 {
-  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
-  {
-    return camera->GetDelegatePass();
-  }
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
-  {
-    return image->GetDelegatePass();
-  }
-  if (auto* supersampling = vtkSSAAPass::SafeDownCast(pass))
-  {
-    return supersampling->GetDelegatePass();
-  }
-  return nullptr;
+  std::string Name;
+  vtkTransparencyInstaller::GetDelegateFunction Get;
+  vtkTransparencyInstaller::SetDelegateFunction Set;
+};
+
+template <typename HolderT>
+HolderClass MakeHolderClass(const char* name)
+{
+  return { name,
+    [](vtkRenderPass* holder) { return static_cast<HolderT*>(holder)->GetDelegatePass(); },
+    [](vtkRenderPass* holder, vtkRenderPass* delegate)
+    { static_cast<HolderT*>(holder)->SetDelegatePass(delegate); } };
 }
 
-void SetDelegate(vtkRenderPass* holder, vtkRenderPass* delegate)
+std::vector<HolderClass>& GetHolderClasses()
 {
-  if (auto* camera = vtkCameraPass::SafeDownCast(holder))
-  {
-    camera->SetDelegatePass(delegate);
-  }
-  else if (auto* image = vtkImageProcessingPass::SafeDownCast(holder))
-  {
-    image->SetDelegatePass(delegate);
-  }
-  else if (auto* supersampling = vtkSSAAPass::SafeDownCast(holder))
-  {
-    supersampling->SetDelegatePass(delegate);
-  }
+  static std::vector<HolderClass> classes{ MakeHolderClass<vtkCameraPass>("vtkCameraPass"),
+    MakeHolderClass<vtkImageProcessingPass>("vtkImageProcessingPass"),
+    MakeHolderClass<vtkSSAAPass>("vtkSSAAPass") };
+  return classes;
+}
+
+// Null where the pass is known to hold no other.
+const HolderClass* FindHolderClass(vtkRenderPass* pass)
+{
+  const std::vector<HolderClass>& classes = GetHolderClasses();
+  const auto found = std::find_if(classes.rbegin(), classes.rend(),
+    [pass](const HolderClass& holder) { return pass->IsA(holder.Name.c_str()); });
+  return found == classes.rend() ? nullptr : &*found;
+}
+
+vtkRenderPass* GetDelegate(vtkRenderPass* pass)
+{
+  const HolderClass* holder = FindHolderClass(pass);
+  return holder ? holder->Get(pass) : nullptr;
 }
 
 // By name: ParaView's class is not known here.
@@ -157,6 +165,17 @@ vtkExactTransparencyPass* vtkTransparencyInstaller::GetPass(vtkRenderer* rendere
 }
 
 //------------------------------------------------------------------------------
+void vtkTransparencyInstaller::AddHolder(
+  const std::string& className, GetDelegateFunction get, SetDelegateFunction set)
+{
+  std::vector<HolderClass>& classes = GetHolderClasses();
+  classes.erase(std::remove_if(classes.begin(), classes.end(),
+                  [&](const HolderClass& holder) { return holder.Name == className; }),
+    classes.end());
+  classes.push_back({ className, get, set });
+}
+
+//------------------------------------------------------------------------------
 void vtkTransparencyInstaller::Observe(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
@@ -239,7 +258,7 @@ void vtkTransparencyInstaller::Replace(vtkRenderPass* expected, vtkRenderPass* l
   {
     if (GetDelegate(this->Holder) == expected)
     {
-      SetDelegate(this->Holder, leaf);
+      FindHolderClass(this->Holder)->Set(this->Holder, leaf);
     }
   }
   else if (this->Renderer->GetPass() == expected)

@@ -9,12 +9,13 @@
  * @endcode
  *
  * The installer observes the renderer. At the start of each frame it looks for the leaf of the
- * renderer's chain of passes, through image processing, supersampling and camera passes; a leaf
- * that is VTK's or ParaView's default pass is replaced for this frame by a
- * vtkExactTransparencyPass, and at the end of the frame the chain is as it was. A renderer without
- * passes gets a camera pass with ours behind it, until it is uninstalled or the application sets a
- * pass. Any other leaf, ray tracing or a sequence of passes for example, is left alone, with one
- * warning. Nothing has to be subclassed, and passes that the application sets later keep working.
+ * renderer's chain of passes, through passes that hold another one: image processing,
+ * supersampling and camera passes, and those of AddHolder(). A leaf that is VTK's or ParaView's
+ * default pass is replaced for this frame by a vtkExactTransparencyPass, and at the end of the
+ * frame the chain is as it was. A renderer without passes gets a camera pass with ours behind it,
+ * until it is uninstalled or the application sets a pass. Any other leaf, ray tracing or a sequence
+ * of passes for example, is left alone, with one warning. Nothing has to be subclassed, and passes
+ * that the application sets later keep working.
  *
  * A hardware selection runs in VTK's own path. Graphics memory is freed when the renderer is
  * uninstalled, or deleted, or its window gives up its resources.
@@ -31,7 +32,8 @@
 #include "vtkSmartPointer.h"            // for the chain of the frame
 #include "vtkWeakPointer.h"             // for the renderer
 
-#include <set> // for the owners
+#include <set>    // for the owners
+#include <string> // for names of classes
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -67,6 +69,30 @@ public:
 
   /** The pass of a renderer; null when it was not installed. */
   static vtkExactTransparencyPass* GetPass(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Look through passes of one more class, and its subclasses, that hold another pass: all
+   * installers do, from their next frame on. `get` and `set` are only called with passes of that
+   * class.
+   *
+   * @code{.cpp}
+   * vtkTransparencyInstaller::AddHolder(
+   *   "vtkIceTCompositePass",
+   *   [](vtkRenderPass* holder)
+   *   { return vtkIceTCompositePass::SafeDownCast(holder)->GetRenderPass(); },
+   *   [](vtkRenderPass* holder, vtkRenderPass* delegate)
+   *   { vtkIceTCompositePass::SafeDownCast(holder)->SetRenderPass(delegate); });
+   * @endcode
+   *
+   * What is added for a class again replaces what was known of it. For a pass of several classes
+   * that are known, the last one added counts. Not for calls from several threads.
+   */
+  using GetDelegateFunction = vtkRenderPass* (*)(vtkRenderPass* holder);
+  using SetDelegateFunction = void (*)(vtkRenderPass* holder, vtkRenderPass* delegate);
+  static void AddHolder(
+    const std::string& className, GetDelegateFunction get, SetDelegateFunction set);
+  ///@}
 
   /** Where the installer lives: in vtkRenderer::GetInformation() of an installed renderer. */
   static vtkInformationObjectBaseKey* KEY();

@@ -24,7 +24,8 @@ PAGE = """<html>
 
 SECTION = """<h2>{title}</h2>
 <table>
-<tr><th>In the panel</th><th>In Python</th><th>Range</th><th>Default</th><th>Meaning</th></tr>
+<tr><th width="17%">In the panel</th><th width="25%">In Python</th><th width="14%">Range</th>
+<th width="10%">Default</th><th width="34%">Meaning</th></tr>
 {rows}
 </table>"""
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPellucidRepresentation.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkMultiProcessController.h"
@@ -10,9 +11,13 @@
 #include "vtkOpacityOptimization.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVServerInformation.h"
+#include "vtkPVSession.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProcessModule.h"
 #include "vtkSegmentedGeometry.h"
+#include "vtkSegmentedTrajectoryMapper.h"
 #include "vtkTrajectoryMapper.h"
 #include "vtkTransparencyInstaller.h"
 #include "vtkTransparencyStatistics.h"
@@ -21,6 +26,12 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
+
+// Only a ParaView with MPI has it.
+#if __has_include("vtkIceTCompositePass.h")
+#include "vtkIceTCompositePass.h"
+#define PELLUCID_HAS_ICET
+#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPellucidRepresentation);
@@ -40,18 +51,42 @@ bool IsSurface(vtkDataObject* geometry)
   return std::any_of(leaves.begin(), leaves.end(),
     [](vtkPolyData* leaf) { return leaf->GetPointData()->HasArray("SegmentIds"); });
 }
+
+//------------------------------------------------------------------------------
+// The same number in each of them, and in a client.
+int GetNumberOfRenderingProcesses()
+{
+  auto* session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
+  return session ? session->GetServerInformation()->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
+// On several ranks the pass that composites their pictures holds the one that draws them.
+void AddCompositePass()
+{
+#ifdef PELLUCID_HAS_ICET
+  vtkTransparencyInstaller::AddHolder(
+    "vtkIceTCompositePass",
+    [](vtkRenderPass* holder) -> vtkRenderPass*
+    { return vtkIceTCompositePass::SafeDownCast(holder)->GetRenderPass(); },
+    [](vtkRenderPass* holder, vtkRenderPass* delegate)
+    { vtkIceTCompositePass::SafeDownCast(holder)->SetRenderPass(delegate); });
+#endif
+}
 }
 
 //------------------------------------------------------------------------------
 vtkPellucidRepresentation::vtkPellucidRepresentation()
 {
-  this->Mapper->Delete();
-  this->LODMapper->Delete();
-  this->Mapper = vtkTrajectoryMapper::New();
-  this->LODMapper = vtkTrajectoryMapper::New();
+  for (vtkMapper** mapper : { &this->Mapper, &this->LODMapper })
+  {
+    (*mapper)->Delete();
+    auto* trajectories = vtkSegmentedTrajectoryMapper::New();
+    trajectories->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+    *mapper = trajectories;
+  }
   this->SetupDefaults();
-  this->Segments->SetInputConnection(this->GeometryFilter->GetOutputPort());
-  this->MultiBlockMaker->SetInputConnection(this->Segments->GetOutputPort());
+  AddCompositePass();
 }
 
 //------------------------------------------------------------------------------
@@ -79,28 +114,35 @@ void vtkPellucidRepresentation::SetRadiusArray(const char* name)
 void vtkPellucidRepresentation::SetImportanceArray(int, int, int, int, const char* name)
 {
   const std::string array = ArrayName(name);
-  if (array != this->Segments->GetImportanceArray())
+  if (array != this->GetSegments()->GetImportanceArray())
   {
-    this->Segments->SetImportanceArray(array);
+    this->GetSegments()->SetImportanceArray(array);
     this->Superclass::SetSuppressLOD(this->WantsNoLOD || this->HasImportance());
-    this->MarkModified();
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkPellucidRepresentation::HasImportance() const
+vtkSegmentedTrajectoryMapper* vtkPellucidRepresentation::GetMapper()
 {
-  return !this->Segments->GetImportanceArray().empty();
+  return vtkSegmentedTrajectoryMapper::SafeDownCast(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkSegmentedGeometry* vtkPellucidRepresentation::GetSegments()
+{
+  return this->GetMapper()->GetSegments();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::HasImportance()
+{
+  return !this->GetSegments()->GetImportanceArray().empty();
 }
 
 //------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetNumberOfSegments(int segments)
 {
-  if (segments != this->Segments->GetNumberOfSegments())
-  {
-    this->Segments->SetNumberOfSegments(segments);
-    this->MarkModified();
-  }
+  this->GetSegments()->SetNumberOfSegments(segments);
 }
 
 //------------------------------------------------------------------------------
@@ -108,6 +150,16 @@ void vtkPellucidRepresentation::SetSuppressLOD(bool suppress)
 {
   this->WantsNoLOD = suppress;
   this->Superclass::SetSuppressLOD(suppress || this->HasImportance());
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::SetArrayIdNames(const char* points, const char* cells)
+{
+  if (points || cells)
+  {
+    vtkWarningMacro("Tubes are selected by the ids of points and cells, not by the arrays \""
+      << (points ? points : "") << "\" and \"" << (cells ? cells : "") << "\".");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +336,7 @@ void vtkPellucidRepresentation::UpdatePass()
     pass->SetMemoryLimit(this->MemoryLimit);
     pass->SetView(this->PictureView);
     pass->SetLayer(this->PictureLayer);
+    pass->RoundTranslucentLayersOn(); // a client gets the bits of its own picture from a server
   }
 }
 
@@ -297,34 +350,78 @@ bool vtkPellucidRepresentation::NeedsOrderedCompositing()
 int vtkPellucidRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output)
 {
+  const bool blocksChanged = this->BlockAttrChanged; // the superclass forgets it
   if (!this->Superclass::ProcessViewRequest(type, input, output))
   {
     return 0;
   }
-  if (type == vtkPVView::REQUEST_RENDER())
+  if (type == vtkPVView::REQUEST_UPDATE())
   {
-    this->UpdateOpacity(vtkPVView::GetDeliveredPiece(input, this));
+    this->UpdateDelivery(input);
+  }
+  else if (type == vtkPVView::REQUEST_RENDER())
+  {
+    this->Actor->SetVisibility(!this->DrawsElsewhere());
+    this->UpdateBlocks(blocksChanged);
+    this->UpdateOpacity();
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkPellucidRepresentation::UpdateOpacity(vtkDataObject* geometry)
+void vtkPellucidRepresentation::UpdateDelivery(vtkInformation* input)
 {
-  if (!this->HasImportance() || !geometry)
+  // The same in all processes, client included, or they would wait for each other.
+  this->DrawsOnFirst = this->DrawOnOneProcess && GetNumberOfRenderingProcesses() > 1 &&
+    this->NeedsOrderedCompositing();
+  vtkPVRenderView::SetDeliverToAllProcesses(input, this, this->DrawsOnFirst);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::DrawsElsewhere() const
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return this->DrawsOnFirst && controller && controller->GetLocalProcessId() > 0;
+}
+
+//------------------------------------------------------------------------------
+// What the superclass does for the mapper that it has of its own.
+void vtkPellucidRepresentation::UpdateBlocks(bool changed)
+{
+  const std::array<vtkMapper*, 2> mappers{ this->Mapper, this->LODMapper };
+  for (std::size_t i = 0; i < mappers.size(); ++i)
+  {
+    if (vtkAlgorithm* segments = mappers[i]->GetInputAlgorithm())
+    {
+      segments->Update();
+    }
+    vtkDataObject* data = mappers[i]->GetInputDataObject(0, 0);
+    this->BlocksOutdated[i] = this->BlocksOutdated[i] || changed;
+    if (data && (this->BlocksOutdated[i] || this->BlockTimes[i] < data->GetMTime()))
+    {
+      this->PopulateBlockAttributes(
+        vtkTrajectoryMapper::SafeDownCast(mappers[i])->GetCompositeDataDisplayAttributes(), data);
+      this->BlocksOutdated[i] = false;
+      this->BlockTimes[i].Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::UpdateOpacity()
+{
+  if (!this->HasImportance() || !this->Mapper->GetInputDataObject(0, 0))
   {
     vtkImportanceDrivenOpacity::Attach(this->Actor, nullptr);
     return;
   }
-  this->UsedImportanceRange = this->ImportanceRange;
-  if (this->AutomaticImportanceRange)
-  {
-    vtkSegmentedGeometry::GetImportanceRange(geometry, this->UsedImportanceRange.data());
-  }
+  this->UsedImportanceRange = this->AutomaticImportanceRange
+    ? this->GetSegments()->GetImportanceRange()
+    : this->ImportanceRange;
   vtkImportanceDrivenOpacity* opacity = this->Optimization;
   if (this->OpacityMethod == OPTIMIZATION)
   {
-    this->UpdateOptimization(geometry);
+    this->UpdateOptimization();
   }
   else
   {
@@ -332,20 +429,20 @@ void vtkPellucidRepresentation::UpdateOpacity(vtkDataObject* geometry)
                                                             : vtkOcclusionAvoidance::WEIGHTING);
     opacity = this->Avoidance;
   }
-  opacity->SetImportanceArray(this->Segments->GetImportanceArray().c_str());
-  // opacity->SetImportanceRange(this->UsedImportanceRange.data());
+  opacity->SetImportanceArray(this->GetSegments()->GetImportanceArray().c_str());
+  opacity->SetImportanceRange(this->UsedImportanceRange.data());
   vtkImportanceDrivenOpacity::Attach(this->Actor, opacity);
   this->WarnOfOtherProcesses();
 }
 
 //------------------------------------------------------------------------------
-void vtkPellucidRepresentation::UpdateOptimization(vtkDataObject* geometry)
+void vtkPellucidRepresentation::UpdateOptimization()
 {
   vtkNew<vtkOpacityOptimization> preset;
   vtkOpacityOptimization* wanted = this->OwnOptimization;
   if (const char* name = vtkOpacityOptimization::GetPresetName(this->OpacityPreset))
   {
-    preset->UsePreset(name, IsSurface(geometry));
+    preset->UsePreset(name, IsSurface(this->Mapper->GetInputDataObject(0, 0)));
     wanted = preset;
   }
   const double strength = this->OpacityStrength;
@@ -360,11 +457,12 @@ void vtkPellucidRepresentation::WarnOfOtherProcesses()
 {
   if (!this->WarnedOfOtherProcesses && !this->GetSeesAllFragments())
   {
-    vtkWarningMacro("Each of the "
-      << vtkMultiProcessController::GetGlobalController()->GetNumberOfProcesses()
-      << " processes finds opacities from the importance of its own fragments: what another one "
-         "draws is neither preferred nor faded for it. Render with one process for a picture in "
-         "which all fragments count.");
+    vtkWarningMacro("Each of the " << GetNumberOfRenderingProcesses()
+                                   << " processes finds opacities from its own fragments, and an "
+                                      "automatic importance range from "
+                                      "its own data: what another one draws is neither preferred "
+                                      "nor faded for it. Switch \"Draw On One Process\" on for a "
+                                      "picture in which all fragments count.");
     this->WarnedOfOtherProcesses = true;
   }
 }
@@ -372,8 +470,7 @@ void vtkPellucidRepresentation::WarnOfOtherProcesses()
 //------------------------------------------------------------------------------
 bool vtkPellucidRepresentation::GetSeesAllFragments()
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetNumberOfProcesses() == 1;
+  return this->DrawsOnFirst || GetNumberOfRenderingProcesses() == 1;
 }
 
 //------------------------------------------------------------------------------
@@ -435,7 +532,7 @@ const char* vtkPellucidRepresentation::GetStageTimes()
 void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto* mapper = vtkTrajectoryMapper::SafeDownCast(this->Mapper);
+  auto* mapper = this->GetMapper();
   const char* radiusArray = mapper->GetRadiusArray();
   os << indent << "View: " << this->View.GetPointer() << "\n";
   os << indent << "Radius: " << mapper->GetRadius() << "\n";
@@ -446,12 +543,13 @@ void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityMethod: " << this->OpacityMethod << "\n";
   os << indent << "OpacityPreset: " << this->OpacityPreset << "\n";
   os << indent << "OpacityStrength: " << this->OpacityStrength << "\n";
+  os << indent << "DrawOnOneProcess: " << this->DrawOnOneProcess << "\n";
   os << indent << "GatherScale: " << this->GatherScale << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PictureView: " << this->PictureView << "\n";
   os << indent << "PictureLayer: " << this->PictureLayer << "\n";
   os << indent << "Segments:\n";
-  this->Segments->PrintSelf(os, indent.GetNextIndent());
+  this->GetSegments()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "OwnOptimization:\n";
   this->OwnOptimization->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Optimization:\n";

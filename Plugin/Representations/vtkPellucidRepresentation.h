@@ -6,7 +6,7 @@
  *          opacities that show what is important.
  *
  * Lines are drawn as tubes and vertices as spheres by vtkTrajectoryMapper, polygons as always.
- * Colouring, opacity, lighting, selection and delivery of data are those of the superclass.
+ * Colouring, opacity, lighting, blocks, selection and delivery of data are those of the superclass.
  *
  * A render view that shows at least one visible representation of this kind draws all its
  * translucent geometry exactly, that of other representations too: its renderer is installed by
@@ -14,10 +14,15 @@
  * the last one is hidden or removed.
  *
  * With an importance array, what hides more important things fades. The data are then divided into
- * segments on the data server, once (vtkSegmentedGeometry), levels of detail are off, since they
+ * segments where they are drawn, once (vtkSegmentedGeometry), levels of detail are off, since they
  * have other segments, and everything else is settings of the next frame. The parameters are those
- * of vtkOpacityOptimization and vtkOcclusionAvoidance, which describe them. Of several processes
- * each finds opacities from its own fragments only: GetSeesAllFragments() tells, and a warning.
+ * of vtkOpacityOptimization and vtkOcclusionAvoidance, which describe them.
+ *
+ * Where a server of several processes renders, what is translucent is drawn by the first of them,
+ * which gets all of its data: only so the picture is the exact one, and opacities follow from all
+ * fragments. Without that (SetDrawOnOneProcess()) ParaView distributes the data and composites the
+ * pictures of the processes: layers at the borders of their parts may come in the wrong order, and
+ * each process finds opacities from its own fragments. GetSeesAllFragments() tells, and a warning.
  *
  * What concerns the whole view (gather scale, memory limit, what the view shows) belongs to its
  * pass: the representation where it was set last decides, and the first that becomes visible.
@@ -43,6 +48,7 @@ class vtkOcclusionAvoidance;
 class vtkOpacityOptimization;
 class vtkPVRenderView;
 class vtkSegmentedGeometry;
+class vtkSegmentedTrajectoryMapper;
 class vtkTransparencyStatistics;
 
 class VTKPELLUCIDREPRESENTATIONS_EXPORT vtkPellucidRepresentation
@@ -122,8 +128,11 @@ public:
   void SetSmoothAttributes(bool smooth);
   ///@}
 
-  /** Of all lines together; 0 (default): chosen from the data. Runs the pipeline. */
+  /** Of all lines together; 0 (default): chosen from the data. */
   void SetNumberOfSegments(int segments);
+
+  /** Whether one of several rendering processes draws all that is translucent. Default is on. */
+  void SetDrawOnOneProcess(bool one) { this->DrawOnOneProcess = one; }
 
   ///@{
   /** Of vtkExactTransparencyPass, for the whole view. */
@@ -150,6 +159,10 @@ public:
   void SetVisibility(bool visible) override;
   void SetSuppressLOD(bool suppress) override;
 
+  /** Selections are by ids: names of arrays are refused, with a warning. (The superclass of
+   * ParaView 5.11 takes its mapper for one of VTK's.) */
+  void SetArrayIdNames(const char* points, const char* cells) override;
+
   int ProcessViewRequest(
     vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output) override;
 
@@ -165,18 +178,22 @@ private:
   vtkPellucidRepresentation(const vtkPellucidRepresentation&) = delete;
   void operator=(const vtkPellucidRepresentation&) = delete;
 
-  bool HasImportance() const;
+  vtkSegmentedTrajectoryMapper* GetMapper();
+  vtkSegmentedGeometry* GetSegments();
+  bool HasImportance();
   void UpdateTransparency();
   vtkExactTransparencyPass* GetPass();
   vtkTransparencyStatistics* GetStatistics();
   vtkIdType GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)());
   void UpdatePass();
-  void UpdateOpacity(vtkDataObject* geometry);
-  void UpdateOptimization(vtkDataObject* geometry);
+  bool DrawsElsewhere() const;
+  void UpdateDelivery(vtkInformation* input);
+  void UpdateBlocks(bool changed);
+  void UpdateOpacity();
+  void UpdateOptimization();
   void WarnOfOtherProcesses();
 
   vtkWeakPointer<vtkPVRenderView> View;
-  vtkNew<vtkSegmentedGeometry> Segments;
   vtkNew<vtkOpacityOptimization> Optimization;
   vtkNew<vtkOpacityOptimization> OwnOptimization; // without a preset
   vtkNew<vtkOcclusionAvoidance> Avoidance;
@@ -192,6 +209,13 @@ private:
   int PictureView = 0;
   int PictureLayer = 1;
   bool WantsNoLOD = false;
+  bool DrawOnOneProcess = true;
+  bool DrawsOnFirst = false; // of several processes, in this frame
+
+  // Of the mapper and the one for levels of detail: when the attributes of blocks were set.
+  std::array<vtkTimeStamp, 2> BlockTimes;
+  std::array<bool, 2> BlocksOutdated{};
+
   bool WarnedOfOtherProcesses = false;
   std::string StageTimes;
 };

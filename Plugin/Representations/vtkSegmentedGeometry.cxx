@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSegmentedGeometry.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -22,20 +19,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSegmentedGeometry);
 
 namespace
 {
-constexpr char RangeName[] = "ImportanceRange";
-
 // The range of what vtkImportance makes is known.
 constexpr char MappedImportance[] = "Importance";
 
 constexpr std::array<double, 2> Percentiles{ 0.50, 0.99 };
-constexpr int QuantilesPerProcess = 1001;
 
 //------------------------------------------------------------------------------
 // With leaves of its own, which can be changed.
@@ -102,97 +95,17 @@ std::vector<double> GetFiniteValues(const std::vector<vtkPolyData*>& leaves, con
 }
 
 //------------------------------------------------------------------------------
-std::size_t GetRank(double share, std::size_t count)
-{
-  return static_cast<std::size_t>(std::lround(share * static_cast<double>(count - 1)));
-}
-
-//------------------------------------------------------------------------------
 double TakePercentile(std::vector<double>& values, double share)
 {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(GetRank(share, values.size()));
+  const auto rank = std::lround(share * static_cast<double>(values.size() - 1));
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
-
-//------------------------------------------------------------------------------
-// Quantiles of this process, each standing for as many values as the others; none without values.
-std::vector<double> TakeQuantiles(std::vector<double>& values)
-{
-  std::sort(values.begin(), values.end());
-  std::vector<double> quantiles(values.empty() ? 0 : QuantilesPerProcess);
-  for (std::size_t i = 0; i < quantiles.size(); ++i)
-  {
-    quantiles[i] =
-      values[GetRank(static_cast<double>(i) / (QuantilesPerProcess - 1), values.size())];
-  }
-  return quantiles;
 }
 
 //------------------------------------------------------------------------------
-// The percentiles of the values of all processes; empty where there are none.
-std::vector<double> FindPercentiles(std::vector<double>& values)
-{
-  std::vector<double> found;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int processes = controller ? controller->GetNumberOfProcesses() : 1;
-  if (processes == 1)
-  {
-    for (std::size_t i = 0; i < Percentiles.size() && !values.empty(); ++i)
-    {
-      found.push_back(TakePercentile(values, Percentiles[i]));
-    }
-    return found;
-  }
-
-  const auto count = static_cast<double>(values.size());
-  std::vector<double> quantiles = TakeQuantiles(values);
-  quantiles.resize(QuantilesPerProcess, 0.0);
-  std::vector<double> counts(processes);
-  std::vector<double> all(static_cast<std::size_t>(processes) * QuantilesPerProcess);
-  controller->AllGather(&count, counts.data(), 1);
-  controller->AllGather(quantiles.data(), all.data(), QuantilesPerProcess);
-  std::vector<std::pair<double, double>> weighted; // value, share of all values
-  double total = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    weighted.emplace_back(all[i], counts[i / QuantilesPerProcess]);
-    total += weighted.back().second;
-  }
-  std::sort(weighted.begin(), weighted.end());
-  for (std::size_t i = 0; i < Percentiles.size() && total > 0.0; ++i)
-  {
-    double sum = 0.0;
-    const auto place = std::find_if(weighted.begin(), weighted.end(),
-      [&](const std::pair<double, double>& value)
-      {
-        sum += value.second;
-        return sum >= Percentiles[i] * total;
-      });
-    found.push_back(place->first);
-  }
-  return found;
-}
-}
-
-//------------------------------------------------------------------------------
-vtkSegmentedGeometry::vtkSegmentedGeometry()
-{
-  for (vtkAlgorithm* part :
-    std::array<vtkAlgorithm*, 2>{ this->LineSegments, this->SurfaceSegments })
-  {
-    vtkNew<vtkCallbackCommand> forward;
-    forward->SetClientData(this);
-    forward->SetCallback(
-      [](vtkObject* caller, unsigned long, void* self, void*)
-      {
-        auto* algorithm = static_cast<vtkSegmentedGeometry*>(self);
-        algorithm->UpdateProgress(vtkAlgorithm::SafeDownCast(caller)->GetProgress());
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(algorithm->GetAbortExecute());
-      });
-    part->AddObserver(vtkCommand::ProgressEvent, forward);
-  }
-}
+vtkSegmentedGeometry::vtkSegmentedGeometry() = default;
 
 //------------------------------------------------------------------------------
 vtkSegmentedGeometry::~vtkSegmentedGeometry() = default;
@@ -217,7 +130,7 @@ int vtkSegmentedGeometry::RequestData(
     return 1;
   }
   const std::vector<vtkPolyData*> leaves = CopyLeaves(input, output);
-  this->AddRange(leaves);
+  this->FindRange(leaves);
   this->DivideLines(leaves);
   for (vtkPolyData* leaf : leaves)
   {
@@ -273,41 +186,18 @@ void vtkSegmentedGeometry::DivideSurface(vtkPolyData* leaf)
 }
 
 //------------------------------------------------------------------------------
-void vtkSegmentedGeometry::AddRange(const std::vector<vtkPolyData*>& leaves)
+void vtkSegmentedGeometry::FindRange(const std::vector<vtkPolyData*>& leaves)
 {
-  std::vector<double> ends{ 0.0, 1.0 };
-  if (this->ImportanceArray != MappedImportance)
-  {
-    std::vector<double> values = GetFiniteValues(leaves, this->ImportanceArray.c_str());
-    ends = FindPercentiles(values);
-  }
-  if (ends.empty())
+  this->ImportanceRange = { 0.0, 1.0 };
+  if (this->ImportanceArray == MappedImportance)
   {
     return;
   }
-  vtkNew<vtkDoubleArray> range;
-  range->SetName(RangeName);
-  range->SetNumberOfComponents(2);
-  range->InsertNextTuple(ends.data());
-  for (vtkPolyData* leaf : leaves)
+  std::vector<double> values = GetFiniteValues(leaves, this->ImportanceArray.c_str());
+  for (std::size_t i = 0; i < Percentiles.size() && !values.empty(); ++i)
   {
-    leaf->GetFieldData()->AddArray(range);
+    this->ImportanceRange[i] = TakePercentile(values, Percentiles[i]);
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkSegmentedGeometry::GetImportanceRange(vtkDataObject* output, double range[2])
-{
-  for (vtkPolyData* leaf : vtkCompositeDataSet::GetDataSets<vtkPolyData>(output))
-  {
-    vtkDataArray* array = leaf->GetFieldData()->GetArray(RangeName);
-    if (array && array->GetNumberOfComponents() == 2 && array->GetNumberOfTuples() == 1)
-    {
-      array->GetTuple(0, range);
-      return true;
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -315,6 +205,8 @@ void vtkSegmentedGeometry::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArray: " << this->ImportanceArray << "\n";
+  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << ", "
+     << this->ImportanceRange[1] << "\n";
   os << indent << "NumberOfSegments: " << this->NumberOfSegments << "\n";
 }
 

@@ -5,13 +5,8 @@
  * @brief   Geometry of a representation, divided into the segments that opacities are found for.
  *
  * Input is vtkPolyData or composite data of it. Lines and vertices pass vtkTrajectorySegments,
- * leaves of surfaces vtkSurfaceSegments; in a leaf with both, the surfaces are one segment. Each
- * leaf gets the field data "ImportanceRange", two doubles: the 50th and the 99th percentile of all
- * values of the importance array, of all processes; 0 and 1 where the array is called "Importance",
- * as vtkImportance makes it. Without a name of that array the input passes as it is.
- *
- * Several processes merge 1001 quantiles of each: their percentiles are exact to 0.1 % of the
- * values. All of them must run it at the same time.
+ * leaves of surfaces vtkSurfaceSegments; in a leaf with both, the surfaces are one segment. Without
+ * a name of the importance array the input passes as it is.
  */
 
 #ifndef vtkSegmentedGeometry_h
@@ -21,6 +16,7 @@
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPellucidRepresentationsModule.h" // for the export macro
 
+#include <array>  // for the range
 #include <string> // for the name
 #include <vector> // for the leaves
 
@@ -50,8 +46,11 @@ public:
   vtkGetMacro(NumberOfSegments, int);
   ///@}
 
-  /** "ImportanceRange" of the first leaf that has it; false where none has. */
-  static bool GetImportanceRange(vtkDataObject* output, double range[2]);
+  /**
+   * Of the last update: the 50th and the 99th percentile of all values of the importance array; 0
+   * and 1 where there are none, or the array is called "Importance", as vtkImportance makes it.
+   */
+  const std::array<double, 2>& GetImportanceRange() const { return this->ImportanceRange; }
 
 protected:
   vtkSegmentedGeometry();
@@ -66,9 +65,10 @@ private:
 
   void DivideLines(const std::vector<vtkPolyData*>& leaves);
   void DivideSurface(vtkPolyData* leaf);
-  void AddRange(const std::vector<vtkPolyData*>& leaves);
+  void FindRange(const std::vector<vtkPolyData*>& leaves);
 
   std::string ImportanceArray;
+  std::array<double, 2> ImportanceRange{ { 0.0, 1.0 } };
   int NumberOfSegments = 0;
   vtkNew<vtkTrajectorySegments> LineSegments;
   vtkNew<vtkSurfaceSegments> SurfaceSegments;

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    Importance.h
- * @brief   What any number means as the importance of a fragment.
+ * @brief   What any number means as the importance of a point or fragment.
  */
 
 #ifndef Importance_h
 #define Importance_h
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pellucid
 {
@@ -21,6 +25,63 @@ Real ClampImportance(Real importance)
   }
   return 0;
 }
+
+/**
+ * How importance follows from the values of an array, as vtkImportanceDrivenOpacity documents it.
+ * Values that fall towards importance 1 count with the opposite sign. A shader needs the four
+ * numbers alone: see glsl/vtkSurfaceImportanceVS.glsl.
+ */
+template <typename Real>
+struct ImportanceRange
+{
+  ImportanceRange() = default;
+
+  /** The values of importance 0 and 1. */
+  explicit ImportanceRange(const double ends[2])
+  {
+    if (!std::isfinite(ends[0]) || !std::isfinite(ends[1]))
+    {
+      *this = ImportanceRange::None();
+      return;
+    }
+    // Within them the width cannot overflow, nor its inverse be too small for a normal number.
+    const double limit = std::numeric_limits<Real>::max() / 8;
+    this->direction = ends[0] <= ends[1] ? Real(1) : Real(-1);
+    this->first = this->direction * Real(std::clamp(ends[0], -limit, limit));
+    this->last = this->direction * Real(std::clamp(ends[1], -limit, limit));
+    this->scale = 1 / std::max(this->last - this->first, std::numeric_limits<Real>::min());
+  }
+
+  /** That of data without importance. */
+  static ImportanceRange None()
+  {
+    ImportanceRange range;
+    range.direction = 0;
+    return range;
+  }
+
+  bool operator==(const ImportanceRange& other) const
+  {
+    return this->direction == other.direction && this->first == other.first &&
+      this->last == other.last;
+  }
+
+  /** The importance in [0,1] of any number. */
+  Real Map(Real value) const
+  {
+    const Real directed = this->direction * value;
+    return directed >= this->last ? Real(1)
+                                  : ClampImportance((directed - this->first) * this->scale);
+  }
+
+  Real direction = 1; ///< 1, -1, or 0: nothing is important
+  ///@{
+  /** In that direction: where importance begins to grow, and where it is 1. */
+  Real first = 0;
+  Real last = 1;
+  ///@}
+  Real scale = 1; ///< importance per value between the two; finite
+};
 }
 
 #endif

@@ -3,11 +3,13 @@
 
 #include "vtkFragmentGather.h"
 
+#include "Importance.h"
 #include "vtkFragmentAppendDec.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
 #include "vtkFragmentStages.h"
+#include "vtkImportanceDrivenOpacity.h"
 #include "vtkOpaqueDepthDec.h"
 #include "vtkOpaqueLayer.h"
 #include "vtkOptimizedScene.h"
@@ -165,6 +167,12 @@ void vtkFragmentGather::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
     const vtkOptimizedScene::Member* member = this->Scene->Find(this->Prop);
     const vtkOptimizedScene::Part part =
       member ? member->FindPart(mapper) : vtkOptimizedScene::Part();
+    // Vertices of data without importance hold whatever OpenGL has in place of it.
+    const auto range = part.HasImportance
+      ? pellucid::ImportanceRange<float>(member->Settings->GetImportanceRange())
+      : pellucid::ImportanceRange<float>::None();
+    const float numbers[] = { range.direction, range.first, range.last, range.scale };
+    program->SetUniform4f("pellucidImportanceRange", numbers);
     program->SetUniformi("pellucidFirstSegment", static_cast<int>(part.FirstSegment));
     program->SetUniformi("pellucidAvoids", member && member->Avoids ? 1 : 0);
     program->SetUniformi(

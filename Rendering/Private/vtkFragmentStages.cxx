@@ -38,6 +38,7 @@ std::string GetViewDefinitions(const vtkPictureView& view)
   using Pass = vtkExactTransparencyPass;
   vtkShaderDefinitions definitions;
   definitions.Define("VIEW", view.Kind);
+  definitions.Define("ROUND_LAYERS", view.RoundsLayers ? 1 : 0);
   definitions.Define("VIEW_OPACITY", static_cast<int>(Pass::VIEW_OPACITY));
   definitions.Define("VIEW_IMPORTANCE", static_cast<int>(Pass::VIEW_IMPORTANCE));
   definitions.Define("VIEW_SEGMENTS", static_cast<int>(Pass::VIEW_SEGMENTS));

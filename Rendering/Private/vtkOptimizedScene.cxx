@@ -6,8 +6,8 @@
 #include "Importance.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDisplayedLeaf.h"
 #include "vtkFieldData.h"
 #include "vtkMapper.h"
 #include "vtkOcclusionAvoidance.h"
@@ -143,11 +143,12 @@ vtkOptimizedScene::Change vtkOptimizedScene::Update(const std::vector<vtkProp*>&
     }
     const bool optimizes = vtkOpacityOptimization::SafeDownCast(settings) != nullptr;
     Source source{ prop, actor->GetMapper(), settings, settings->GetMTime(), optimizes, {}, {} };
-    source.Leaves =
-      vtkCompositeDataSet::GetDataSets<vtkPolyData>(actor->GetMapper()->GetInputDataObject(0, 0));
-    for (vtkPolyData* leaf : source.Leaves)
+    // Also those that are not visible: opacities keep their numbers.
+    for (const vtkDisplayedLeaf& leaf :
+      vtkFindDisplayedLeaves(actor->GetMapper()->GetInputDataObject(0, 0), nullptr))
     {
-      source.LeafTimes.push_back(leaf->GetMTime());
+      source.Leaves.push_back(leaf.Data);
+      source.LeafTimes.push_back(leaf.Data->GetMTime());
     }
     if (!source.Leaves.empty())
     {
@@ -370,6 +371,8 @@ void vtkOptimizedScene::AddCorners(vtkPolyData* data, Part& part)
 void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::string>& missing)
 {
   const char* name = source.Settings->GetImportanceArray();
+  const pellucid::ImportanceRange<double> range(source.Settings->GetImportanceRange());
+  auto part = this->Members[source.Prop].Parts.begin();
   for (vtkPolyData* leaf : source.Leaves)
   {
     vtkDataArray* array = name ? leaf->GetPointData()->GetArray(name) : nullptr;
@@ -377,6 +380,7 @@ void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::strin
     {
       array = nullptr;
     }
+    (part++)->HasImportance = array != nullptr;
     if (!array)
     {
       missing.insert(name ? name : "");
@@ -384,8 +388,7 @@ void vtkOptimizedScene::AddImportances(const Source& source, std::set<std::strin
     const vtkIdType points = source.Optimizes ? leaf->GetNumberOfPoints() : 0;
     for (vtkIdType point = 0; point < points && !this->ImportancesDiffer; ++point)
     {
-      const double importance =
-        array ? pellucid::ClampImportance(array->GetComponent(point, 0)) : 0.0;
+      const double importance = array ? range.Map(array->GetComponent(point, 0)) : 0.0;
       this->FirstImportance = this->FirstImportance.value_or(importance);
       this->ImportancesDiffer = importance != *this->FirstImportance;
     }

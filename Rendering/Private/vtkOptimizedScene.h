@@ -72,6 +72,7 @@ public:
     vtkPolyData* Data = nullptr; ///< compared, never used: it may be gone
     std::uint32_t FirstSegment = 0;
     std::uint32_t NumberOfSegments = 0;
+    bool HasImportance = false;    ///< has the array that the settings name
     bool HasCorners = false;       ///< point 3 t + c is corner c of triangle t
     std::uint32_t FirstCorner = 0; ///< in GetCorners()
   };

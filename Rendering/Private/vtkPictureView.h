@@ -16,6 +16,7 @@ struct vtkPictureView
   int Kind = 0;              ///< vtkExactTransparencyPass::Views
   int Layer = 1;             ///< counted from 1, the nearest
   vtkIdType LongestList = 0; ///< of the picture
+  bool RoundsLayers = false; ///< vtkExactTransparencyPass::RoundTranslucentLayers
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 
 #include "vtkPolygonPartMapper.h"
 
+#include "vtkBlockDisplayShader.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -33,6 +34,10 @@ void vtkPolygonPartMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* a
 void vtkPolygonPartMapper::ReplaceShaderColor(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
+  {
+    vtkShaderEdit fragment(shaders[vtkShader::Fragment]);
+    vtkAddBlockColor(fragment);
+  }
   if (this->PointOpacities)
   {
     vtkShaderEdit vertex(shaders[vtkShader::Vertex]);
@@ -56,6 +61,14 @@ void vtkPolygonPartMapper::ReplaceShaderColor(
       "  }\n");
   }
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolygonPartMapper::SetPropertyShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetPropertyShaderParameters(cellBO, renderer, actor);
+  vtkSetBlockDisplay(cellBO.Program, this->Display, actor);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #ifndef vtkPolygonPartMapper_h
 #define vtkPolygonPartMapper_h
 
+#include "vtkDisplayedLeaf.h"
 #include "vtkFloatArray.h" // for the opacities
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h" // for the opacities
@@ -26,6 +27,9 @@ public:
   /** Multiply the opacity by the factor of each point, linear on triangles; null: no factors. */
   void SetPointOpacities(vtkFloatArray* factors);
 
+  /** Draw the polygons as those of that block from now on. */
+  void SetDisplay(const vtkBlockDisplay& display) { this->Display = display; }
+
 protected:
   vtkPolygonPartMapper() = default;
   ~vtkPolygonPartMapper() override = default;
@@ -33,6 +37,8 @@ protected:
   void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void SetPropertyShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderColor(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
 
@@ -41,6 +47,7 @@ private:
   void operator=(const vtkPolygonPartMapper&) = delete;
 
   vtkSmartPointer<vtkFloatArray> PointOpacities;
+  vtkBlockDisplay Display;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -56,7 +56,9 @@ Vec4 ToColor(vtkUnsignedCharArray* colors, vtkIdType tuple)
 class DataColors
 {
 public:
-  DataColors(vtkMapper* mapper, vtkPolyData* data)
+  /** A block's own colour replaces what is found, but not its opacity. */
+  DataColors(vtkMapper* mapper, vtkPolyData* data, const vtkBlockDisplay& display)
+    : Display(display)
   {
     mapper->GetLookupTable();
     this->Mapper->ShallowCopy(mapper);
@@ -107,7 +109,8 @@ public:
       return Vec4(1.0);
     }
     const vtkIdType tuple = this->OneTuple >= 0 ? this->OneTuple : (this->PerCell ? cell : point);
-    return ToColor(this->Colors, std::min(tuple, this->Colors->GetNumberOfTuples() - 1));
+    return this->Override(
+      ToColor(this->Colors, std::min(tuple, this->Colors->GetNumberOfTuples() - 1)));
   }
 
   void ApplyTo(pellucid::Surface<double>& surface) const
@@ -123,16 +126,28 @@ public:
       surface.table.height = size[1];
       for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
       {
-        surface.table.texels.push_back(ToColor(texels, i));
+        surface.table.texels.push_back(this->Override(ToColor(texels, i)));
       }
     }
     else if (this->Colors)
     {
       surface.colorSource = pellucid::ColorSource::Vertices;
     }
+    for (pellucid::Material<double>* material : { &surface.front, &surface.back })
+    {
+      material->opacity = this->Display.Opacity.value_or(material->opacity);
+      material->ambientColor = this->Override(Vec4(material->ambientColor, 1.0));
+      material->diffuseColor = this->Override(Vec4(material->diffuseColor, 1.0));
+    }
   }
 
 private:
+  Vec4 Override(const Vec4& color) const
+  {
+    return this->Display.Color ? Vec4(glm::make_vec3(this->Display.Color->data()), color.a) : color;
+  }
+
+  vtkBlockDisplay Display;
   vtkNew<ColorMapper> Mapper;
   vtkUnsignedCharArray* Colors = nullptr;
   vtkFloatArray* Coordinates = nullptr;
@@ -173,9 +188,11 @@ public:
     const auto part = std::find_if(target.member->Parts.begin(), target.member->Parts.end(),
       [data](const vtkOptimizedScene::Part& candidate) { return candidate.Data == data; });
     this->Part = part == target.member->Parts.end() ? &target.member->Parts.front() : &*part;
-    const char* name = target.member->Settings->GetImportanceArray();
+    vtkImportanceDrivenOpacity* settings = target.member->Settings;
+    this->Range = pellucid::ImportanceRange<double>(settings->GetImportanceRange());
     vtkPointData* points = data->GetPointData();
-    this->Importance = name ? points->GetArray(name) : nullptr;
+    this->Importance =
+      this->Part->HasImportance ? points->GetArray(settings->GetImportanceArray()) : nullptr;
     if (!target.member->Avoids && vtkOptimizedScene::HasLineSegments(data))
     {
       this->Base = points->GetArray("SegmentBase");
@@ -194,8 +211,8 @@ public:
     if (this->Part)
     {
       vtkDataArray* base = this->Base ? this->Base : this->Nearest;
-      node.importance = pellucid::ClampImportance(
-        this->Importance ? this->Importance->GetComponent(point, 0) : 0.0);
+      node.importance =
+        this->Importance ? this->Range.Map(this->Importance->GetComponent(point, 0)) : 0.0;
       node.base = this->Part->FirstSegment +
         (base ? std::max(static_cast<vtkIdType>(base->GetComponent(point, 0)), vtkIdType(0)) : 0);
       node.weight = this->Weight ? this->Weight->GetComponent(point, 0) : 0.0;
@@ -210,6 +227,7 @@ public:
 
 private:
   const vtkOptimizedScene::Part* Part = nullptr;
+  pellucid::ImportanceRange<double> Range;
   vtkDataArray* Importance = nullptr;
   vtkDataArray* Base = nullptr;
   vtkDataArray* Weight = nullptr;
@@ -521,7 +539,7 @@ vtkReferenceRejects AddGlyphs(vtkReferenceTarget& target, vtkGlyph3DMapper* mapp
 //------------------------------------------------------------------------------
 vtkReferenceRejects vtkAddReferencePolygons(vtkReferenceTarget& target, vtkPolyData* data)
 {
-  const DataColors colors(target.mapper, data);
+  const DataColors colors(target.mapper, data, target.display);
   pellucid::Surface<double> surface = target.surface;
   colors.ApplyTo(surface);
   vtkReferenceRejects rejects;
@@ -534,7 +552,7 @@ vtkReferenceRejects vtkAddReferencePolygons(vtkReferenceTarget& target, vtkPolyD
 vtkReferenceRejects vtkAddReferenceTrajectories(
   vtkReferenceTarget& target, vtkPolyData* data, double radius, const char* radiusArray)
 {
-  const DataColors colors(target.mapper, data);
+  const DataColors colors(target.mapper, data, target.display);
   pellucid::Surface<double> surface = target.surface;
   colors.ApplyTo(surface);
   const std::uint32_t index = AddSurface(target.scene, surface);

@@ -9,6 +9,7 @@
 #define vtkReferenceGeometry_h
 
 #include "RayScene.h"
+#include "vtkDisplayedLeaf.h"
 #include "vtkOptimizedScene.h" // for the members
 
 #include "vtkCompositeDataIterator.h" // for visiting the leaves
@@ -32,6 +33,7 @@ struct vtkReferenceTarget
   const char* opacityArray = nullptr;           ///< name of a point array of factors on the opacity
   const vtkOptimizedScene* optimized = nullptr; ///< where opacities follow from importance
   const vtkOptimizedScene::Member* member = nullptr; ///< the actor's entry there
+  vtkBlockDisplay display{}; ///< what the data has in place of the surface's
 };
 
 /** What of the data cannot be drawn. */

@@ -322,11 +322,16 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
   {
     const double radius = trajectories->GetEffectiveRadius();
     target.opacityArray = trajectories->GetOpacityArray();
-    vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
-      [&](vtkPolyData* data) {
+    for (const vtkDisplayedLeaf& leaf : vtkFindDisplayedLeaves(
+           mapper->GetInputDataObject(0, 0), trajectories->GetCompositeDataDisplayAttributes()))
+    {
+      if (leaf.Display.Visible)
+      {
+        target.display = leaf.Display;
         rejects +=
-          vtkAddReferenceTrajectories(target, data, radius, trajectories->GetRadiusArray());
-      });
+          vtkAddReferenceTrajectories(target, leaf.Data, radius, trajectories->GetRadiusArray());
+      }
+    }
   }
   else if (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper"))
   {

@@ -3,6 +3,7 @@
 
 #include "vtkRoundedConeMapper.h"
 
+#include "vtkBlockDisplayShader.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -408,13 +409,7 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   if (helper.Program)
   {
     helper.IBO->Bind();
-    const vtkIdType count = this->Nodes->GetNumberOfNodes();
-    for (vtkIdType first = 0; first < count; first += QuadsPerDraw)
-    {
-      const vtkIdType quads = std::min(QuadsPerDraw, count - first);
-      glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT,
-        nullptr, static_cast<GLint>(4 * first));
-    }
+    this->DrawLeaves(helper.Program, renderer, actor);
     helper.IBO->Release();
   }
   vtkOpenGLCheckErrorMacro("failed after drawing rounded cones");
@@ -426,6 +421,37 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
   for (BufferTexture* texture : textures)
   {
     texture->Texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Neighbours that are displayed alike together.
+void vtkRoundedConeMapper::DrawLeaves(
+  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
+{
+  const auto& leaves = this->Nodes->GetLeaves();
+  for (std::size_t first = 0, last = 0; first < leaves.size(); first = last)
+  {
+    const vtkBlockDisplay& display = leaves[first].Display;
+    last = std::find_if(leaves.begin() + first, leaves.end(),
+             [&display](const auto& leaf) { return !(leaf.Display == display); }) -
+      leaves.begin();
+    if (display.IsDrawn(renderer->GetSelector() != nullptr))
+    {
+      vtkSetBlockDisplay(program, display, actor);
+      this->DrawNodes(this->Nodes->GetFirstNode(first), this->Nodes->GetFirstNode(last));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::DrawNodes(vtkIdType first, vtkIdType last)
+{
+  for (; first < last; first += QuadsPerDraw)
+  {
+    const vtkIdType quads = std::min(QuadsPerDraw, last - first);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT,
+      nullptr, static_cast<GLint>(4 * first));
   }
 }
 
@@ -482,6 +508,7 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     {
       this->ReplaceShaderOpacity(vertex, fragment);
     }
+    vtkAddBlockColor(fragment);
     if (this->Source != ColorSource::Property)
     {
       this->ReplaceShaderNodeColor(vertex, fragment);
@@ -498,7 +525,7 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
 }
 
 //------------------------------------------------------------------------------
-// Before the colours: what is appended first comes last, and multiplies the opacity of the colour.
+// Before all colours: what is appended first comes last, and multiplies the opacity of the colour.
 void vtkRoundedConeMapper::ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment)
 {
   const std::string factor =

@@ -48,7 +48,8 @@ public:
     Texture   ///< one coordinate (s, t) for each node, looked up in the colour map
   };
 
-  /** Draw these nodes from now on; the caller keeps them alive and calls this after each change. */
+  /** Draw these nodes, as their leaves are displayed, from now on; the caller keeps them alive and
+   * calls this after each change of the nodes. */
   void SetNodes(const vtkTrajectoryNodes* nodes);
 
   ///@{
@@ -124,6 +125,8 @@ private:
   void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
   void UpdateCutOpen();
+  void DrawLeaves(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
+  void DrawNodes(vtkIdType first, vtkIdType last);
   void SetClipParameters(vtkShaderProgram* program);
   void SetFrustum(vtkShaderProgram* program);
 

@@ -3,6 +3,7 @@
 
 #include "vtkSceneSignature.h"
 
+#include "Importance.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
@@ -24,10 +25,21 @@
 #include "vtkVolume.h"
 
 #include <array>
-#include <cstring>
 #include <initializer_list>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+// Whether all that an actor draws is the mapper of GetMapper(), with the actor's own properties.
+// That may be another one in each frame: ParaView's actor chooses a level of detail, without any
+// sign in its time. By name: ParaView's class is not known here, and subclasses may do anything.
+bool DrawsItsMapper(vtkActor* actor)
+{
+  const std::string name = actor->GetClassName();
+  return name == "vtkOpenGLActor" || name == "vtkPVLODActor";
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSceneSignature::vtkSceneSignature(const vtkRenderState* state, const vtkPixelRectangle& image)
@@ -103,8 +115,7 @@ bool vtkSceneSignature::AddProp(vtkProp* prop)
     return true;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
-  return actor && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    this->AddActor(actor);
+  return actor && DrawsItsMapper(actor) && this->AddActor(actor);
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +154,12 @@ bool vtkSceneSignature::AddActor(vtkActor* actor)
   vtkImportanceDrivenOpacity* parameters = vtkImportanceDrivenOpacity::Get(actor);
   const char* importance = parameters ? parameters->GetImportanceArray() : nullptr;
   this->Names.emplace_back(importance ? importance : "");
+  if (parameters)
+  {
+    // NaN would never be the same.
+    const pellucid::ImportanceRange<double> range(parameters->GetImportanceRange());
+    this->Numbers.insert(this->Numbers.end(), { range.direction, range.first, range.last });
+  }
   return true;
 }
 

@@ -34,8 +34,9 @@ public:
 
   /**
    * Whether the other frame draws the same. False also where that cannot be known: for props that
-   * are no plain vtkActor with a vtkPolyDataMapper, for textures, image-based lighting, shaders
-   * with observers, and a depth buffer that is kept from elsewhere.
+   * are neither a plain vtkActor nor ParaView's vtkPVLODActor, with a vtkPolyDataMapper, for
+   * textures, image-based lighting, shaders with observers, and a depth buffer that is kept from
+   * elsewhere.
    */
   bool IsSame(const vtkSceneSignature& other) const;
 

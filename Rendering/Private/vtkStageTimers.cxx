@@ -4,6 +4,7 @@
 #include "vtkStageTimers.h"
 
 #include "vtkOpenGLError.h" // for OpenGL itself
+#include "vtkTimerLog.h"
 #include "vtkTransparencyStatistics.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -39,6 +40,12 @@ void vtkStageTimers::Collect(vtkTransparencyStatistics* statistics)
     stage.Timer->Reset();
   }
   this->Used = 0;
+  // Each once, although a stage may have run for several tiles.
+  for (int stage = 0; stage < statistics->GetNumberOfStages(); ++stage)
+  {
+    vtkTimerLog::InsertTimedEvent(("Pellucid " + statistics->GetStageName(stage)).c_str(),
+      statistics->GetStageMilliseconds(stage) * 1e-3, 0);
+  }
 }
 
 VTK_ABI_NAMESPACE_END

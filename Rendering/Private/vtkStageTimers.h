@@ -36,7 +36,11 @@ public:
     vtkOpenGLRenderTimer& Timer;
   };
 
-  /** Wait for the stages of this frame, add them to the statistics and start anew. */
+  /**
+   * Wait for the stages of this frame, add them to the statistics of the frame and start anew.
+   * VTK's timer log gets an event for each stage, "Pellucid gather" for example: seconds of GPU
+   * time.
+   */
   void Collect(vtkTransparencyStatistics* statistics);
 
 private:

@@ -143,8 +143,10 @@ void vtkTrajectoryNodes::Build(
     extent.Bounds.GetCenter(this->Center.data());
   }
 
+  this->Bounds.resize(this->Leaves.size());
   for (std::size_t i = 0; i < this->Leaves.size(); ++i)
   {
+    this->FirstNodes.push_back(this->GetNumberOfNodes());
     const Leaf& leaf = this->Leaves[i];
     vtkDataArray* radii =
       radiusArray.empty() ? nullptr : leaf.Data->GetPointData()->GetArray(radiusArray.c_str());
@@ -157,13 +159,14 @@ void vtkTrajectoryNodes::Build(
       [&](vtkIdType count, const vtkIdType* points, vtkIdType cell)
       {
         const vtkIdType first = this->GetNumberOfNodes();
-        this->AddCell(leaf, radii, count, points);
+        this->AddCell(i, radii, count, points);
         if (this->GetNumberOfNodes() > first)
         {
           this->Runs.push_back({ first, cell, i });
         }
       });
   }
+  this->FirstNodes.push_back(this->GetNumberOfNodes());
   const double rounding = 0.5 * std::numeric_limits<float>::epsilon() *
     (this->PointBounds.IsValid() ? 0.5 * this->PointBounds.GetMaxLength() : 0.0);
   if (rounding > VisibleError * this->MinimumRadius)
@@ -196,13 +199,13 @@ void vtkTrajectoryNodes::ComputeRemainders()
 
 //------------------------------------------------------------------------------
 void vtkTrajectoryNodes::AddCell(
-  const Leaf& leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points)
+  std::size_t leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points)
 {
   Point previous{};
   bool joined = false;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    Point point = GetPoint(leaf.Data, points[i]);
+    Point point = GetPoint(this->Leaves[leaf].Data, points[i]);
     const double radius = std::max(radii ? radii->GetComponent(points[i], 0) : this->Radius, 0.0);
     if (!IsFinite(point) || !std::isfinite(radius))
     {
@@ -224,8 +227,8 @@ void vtkTrajectoryNodes::AddCell(
       static_cast<float>(point[1] - this->Center[1]),
       static_cast<float>(point[2] - this->Center[2]), static_cast<float>(radius) } });
     this->PointIds.push_back(points[i]);
-    this->Bounds.AddBox(vtkBoundingBox(point[0] - radius, point[0] + radius, point[1] - radius,
-      point[1] + radius, point[2] - radius, point[2] + radius));
+    this->Bounds[leaf].AddBox(vtkBoundingBox(point[0] - radius, point[0] + radius,
+      point[1] - radius, point[1] + radius, point[2] - radius, point[2] + radius));
     this->PointBounds.AddPoint(point.data());
     this->MinimumRadius =
       radius > 0.0 ? std::min(this->MinimumRadius, radius) : this->MinimumRadius;

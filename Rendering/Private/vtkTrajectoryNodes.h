@@ -23,8 +23,7 @@
 #define vtkTrajectoryNodes_h
 
 #include "vtkBoundingBox.h" // for the bounds
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h" // for the leaves
+#include "vtkDisplayedLeaf.h"
 
 #include <array>
 #include <string>
@@ -35,12 +34,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkTrajectoryNodes
 {
 public:
-  /** One vtkPolyData of the input and its flat index in the composite input (1: not composite). */
-  struct Leaf
-  {
-    vtkSmartPointer<vtkPolyData> Data;
-    unsigned int FlatIndex;
-  };
+  using Leaf = vtkDisplayedLeaf;
 
   /** The nodes of one cell, from FirstNode to the FirstNode of the next run. */
   struct Run
@@ -58,6 +52,9 @@ public:
    * point array `radiusArray`, where a leaf has it, replaces it. */
   void Build(std::vector<Leaf> leaves, double radius, const std::string& radiusArray);
 
+  /** The same leaves, displayed otherwise. Nodes do not depend on it. */
+  void UpdateDisplay(std::vector<Leaf> leaves) { this->Leaves = std::move(leaves); }
+
   const std::vector<Leaf>& GetLeaves() const { return this->Leaves; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
@@ -73,11 +70,14 @@ public:
   /** The run that holds a node. \pre 0 <= node < GetNumberOfNodes() */
   const Run& GetRun(vtkIdType node) const;
 
+  /** The first node of a leaf; with the number of leaves, that of nodes. */
+  vtkIdType GetFirstNode(std::size_t leaf) const { return this->FirstNodes[leaf]; }
+
   /** What was subtracted from the points: the middle of their bounds. */
   const std::array<double, 3>& GetCenter() const { return this->Center; }
 
-  /** Bounds of all balls; not valid when there is no node. */
-  const vtkBoundingBox& GetBounds() const { return this->Bounds; }
+  /** Bounds of the balls of a leaf; not valid when it has no node. */
+  const vtkBoundingBox& GetBounds(std::size_t leaf) const { return this->Bounds[leaf]; }
 
   ///@{
   /** Bounds of the points alone, and the largest radius. */
@@ -98,15 +98,16 @@ private:
   class Extent;
 
   void ComputeRemainders();
-  void AddCell(const Leaf& leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points);
+  void AddCell(std::size_t leaf, vtkDataArray* radii, vtkIdType count, const vtkIdType* points);
 
   std::vector<Leaf> Leaves;
+  std::vector<vtkIdType> FirstNodes;  ///< of each leaf, and at last the number of nodes
+  std::vector<vtkBoundingBox> Bounds; ///< of each leaf
   std::vector<Run> Runs;
   std::vector<Node> Nodes;
   std::vector<Node> Remainders;
   std::vector<vtkIdType> PointIds;
   std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
-  vtkBoundingBox Bounds;
   vtkBoundingBox PointBounds;
   double MinimumRadius = VTK_DOUBLE_MAX; ///< of those above 0
   double MaximumRadius = 0.0;

@@ -43,10 +43,11 @@ struct LeafArrays
     }
   }
 
-  vtkTrajectorySegmentNodes::Node Get(vtkIdType point, int firstSegment) const
+  vtkTrajectorySegmentNodes::Node Get(
+    vtkIdType point, const pellucid::ImportanceRange<double>& range, int firstSegment) const
   {
     const double base = this->Base ? std::max(this->Base->GetComponent(point, 0), 0.0) : 0.0;
-    return { { ToBits(this->Importance ? this->Importance->GetComponent(point, 0) : 0.0),
+    return { { ToBits(this->Importance ? range.Map(this->Importance->GetComponent(point, 0)) : 0.0),
       firstSegment + static_cast<int>(base),
       ToBits(this->Weight ? this->Weight->GetComponent(point, 0) : 0.0), 0 } };
   }
@@ -75,7 +76,8 @@ std::vector<vtkMTimeType> vtkTrajectorySegmentNodes::GetTimes(
 
 //------------------------------------------------------------------------------
 std::vector<vtkTrajectorySegmentNodes::Node> vtkTrajectorySegmentNodes::Make(
-  const vtkTrajectoryNodes& nodes, const std::string& importanceArray)
+  const vtkTrajectoryNodes& nodes, const std::string& importanceArray,
+  const pellucid::ImportanceRange<double>& range)
 {
   std::vector<LeafArrays> arrays;
   std::vector<int> firstSegments(1, 0);
@@ -94,7 +96,7 @@ std::vector<vtkTrajectorySegmentNodes::Node> vtkTrajectorySegmentNodes::Make(
     for (vtkIdType node = runs[run].FirstNode; node < end; ++node)
     {
       const std::size_t leaf = runs[run].Leaf;
-      values[node] = arrays[leaf].Get(nodes.GetPointIds()[node], firstSegments[leaf]);
+      values[node] = arrays[leaf].Get(nodes.GetPointIds()[node], range, firstSegments[leaf]);
     }
   }
   return values;

@@ -11,6 +11,7 @@
 #ifndef vtkTrajectorySegmentNodes_h
 #define vtkTrajectorySegmentNodes_h
 
+#include "Importance.h"
 #include "vtkTrajectoryNodes.h"
 
 #include <array>
@@ -29,9 +30,9 @@ public:
   static std::vector<vtkMTimeType> GetTimes(
     const std::vector<vtkTrajectoryNodes::Leaf>& leaves, const std::string& importanceArray);
 
-  /** A leaf without the array of importances has importance 0. */
-  static std::vector<Node> Make(
-    const vtkTrajectoryNodes& nodes, const std::string& importanceArray);
+  /** With the importances that follow from an array; a leaf without it has importance 0. */
+  static std::vector<Node> Make(const vtkTrajectoryNodes& nodes, const std::string& importanceArray,
+    const pellucid::ImportanceRange<double>& range);
 };
 
 VTK_ABI_NAMESPACE_END

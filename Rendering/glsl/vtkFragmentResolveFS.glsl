@@ -110,6 +110,10 @@ void main()
   }
 
   vec4 behind = opaqueColor(windowPixel, sampleIndex);
+#if PELLUCID_ROUND_LAYERS
+  color = round(255.0 * color) / 255.0;
+  transmittance = round(255.0 * transmittance) / 255.0;
+#endif
   resolvedColor =
     vec4(color + transmittance * behind.rgb, 1.0 - transmittance * (1.0 - behind.a));
 }

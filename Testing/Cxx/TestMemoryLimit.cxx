@@ -9,6 +9,7 @@
 
 #include "vtkExactTransparencyPass.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkTimerLog.h"
 #include "vtkTransparencyInstaller.h"
 
 namespace
@@ -67,6 +68,38 @@ bool TestOnePixel()
   return passed;
 }
 
+// A stage is one event of VTK's timer log, also when it runs in several tiles.
+bool TestTimerLog()
+{
+  SphereScene scene(401, 299, 0, 40, 3);
+  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
+  pass->SetMemoryLimit(1);
+  scene.Window->Render();
+  vtkTimerLog::ResetLog();
+  scene.Window->Render();
+  std::vector<std::pair<std::string, double>> logged;
+  const std::string prefix = "Pellucid ";
+  for (int event = 0; event < vtkTimerLog::GetNumberOfEvents(); ++event)
+  {
+    const std::string name = vtkTimerLog::GetEventString(event);
+    if (name.compare(0, prefix.size(), prefix) == 0)
+    {
+      logged.emplace_back(name.substr(prefix.size()), vtkTimerLog::GetEventWallTime(event) * 1e3);
+    }
+  }
+  vtkTransparencyStatistics* statistics = pass->GetStatistics();
+  bool passed = Check(statistics->GetTiles() > 1 && statistics->GetNumberOfStages() > 3 &&
+      static_cast<int>(logged.size()) == statistics->GetNumberOfStages(),
+    std::to_string(logged.size()) + " stages in the timer log");
+  for (const auto& [stage, milliseconds] : logged)
+  {
+    passed &= Check(milliseconds > 0.0 &&
+        std::abs(milliseconds / statistics->GetStageMilliseconds(stage) - 1.0) < 1e-9,
+      stage + " took " + std::to_string(milliseconds) + " ms in the timer log");
+  }
+  return passed;
+}
+
 // Importance makes nodes larger.
 bool TestLaterImportance()
 {
@@ -99,6 +132,7 @@ int TestMemoryLimit(int, char*[])
   bool passed = TestSameBits(0);
   passed &= TestSameBits(4);
   passed &= TestOnePixel();
+  passed &= TestTimerLog();
   passed &= TestLaterImportance();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

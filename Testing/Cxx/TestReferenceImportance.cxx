@@ -4,9 +4,10 @@
  * vtkReferenceRenderer where opacities follow from importance, on stacks of squares, lines and
  * balls with results by hand: both modes of vtkOcclusionAvoidance, also beside
  * vtkOpacityOptimization; smoothed attributes; the colours of all views; optimised opacities found
- * in smaller pictures.
+ * in smaller pictures. What any number means in any range of importance.
  */
 
+#include "Importance.h"
 #include "ReferenceTesting.h"
 
 #include "vtkActor.h"
@@ -30,6 +31,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
@@ -38,6 +40,8 @@ using Pass = vtkExactTransparencyPass;
 using Color = std::array<double, 4>;
 
 constexpr double Tolerance = 1e-12;
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /** From the left to the right and from the lower to the upper end. */
 struct Extent
@@ -184,6 +188,97 @@ void TestPenalty(Checks& checks)
   CheckFactors(checks, "penalty", scene, 0, 0, { 0.125, 1, 0.5, 0.5 });
   const double alpha = 1 - 0.9375 * 0.5 * 0.75 * 0.75;
   CheckColor(checks, "composited", scene.GetPixel(0, 0), { alpha, alpha, 1, alpha });
+}
+
+/** The values that mean importance 0 and 1 are free. */
+void TestRanges(Checks& checks)
+{
+  const double ends[][2] = { { 3, 10 }, { 10, 3 }, { 1e5, 1e5 + 7 }, { -1e-6, 1e-6 } };
+  for (const auto& range : ends)
+  {
+    const auto value = [&](double importance)
+    { return range[0] + (range[1] - range[0]) * importance; };
+    const std::string name = "from " + std::to_string(range[0]) + " to " + std::to_string(range[1]);
+    vtkNew<vtkOpacityOptimization> optimization;
+    vtkNew<vtkOcclusionAvoidance> avoidance;
+    optimization->SetImportanceRange(range[0], range[1]);
+    optimization->SetOcclusionWeight(50);
+    optimization->SetClutterWeight(0);
+    optimization->SetEmphasis(1);
+    avoidance->SetImportanceRange(range[0], range[1]);
+    Scene scene(1, 1);
+    scene.AddSquare(4, value(0.25), avoidance);
+    scene.AddTube({ { 0, 0, 2 } }, value(0.5), optimization);
+    scene.AddSquare(0, value(0.75), avoidance);
+    scene.AddSquare(-2, value(1), optimization);
+    scene.AddSquare(-3, value(0.75), optimization);
+    CheckFactors(checks, name, scene, 0, 0, { 0.25, 1 / (1 + 0.25 * 50 * 1.5625), 0.25, 1, 1 });
+  }
+
+  const double unimportant[][3] = { { NotANumber, 0, 1 }, { 1, NotANumber, 1 },
+    { 0, Infinity, Infinity }, { -Infinity, 0, 1 }, { 0, 0, NotANumber }, { 1, 0, NotANumber } };
+  for (const auto& [first, second, value] : unimportant)
+  {
+    vtkNew<vtkOcclusionAvoidance> avoidance;
+    avoidance->SetImportanceRange(first, second);
+    Scene scene(1, 1);
+    scene.AddSquare(4, 0, avoidance);
+    scene.AddSquare(0, value, avoidance);
+    CheckFactors(checks, "unimportant", scene, 0, 0, { 1, 1 });
+  }
+}
+
+template <typename Real>
+void TestMapping(Checks& checks)
+{
+  using Range = pellucid::ImportanceRange<Real>;
+  using Limits = std::numeric_limits<Real>;
+  const Real special[] = { Limits::quiet_NaN(), Limits::infinity(), Limits::max(), Limits::min(),
+    Limits::denorm_min(), 1, Real(0.1), 0 };
+  std::vector<Real> values;
+  for (const Real value : special)
+  {
+    values.insert(values.end(), { value, -value });
+  }
+  for (const Real value : values)
+  {
+    checks.True("the default changes no bit",
+      Range().Map(value) == pellucid::ClampImportance(value) &&
+        Range(std::array<double, 2>{ 0, 1 }.data()) == Range());
+  }
+  const std::vector<double> ends{ 0, 1, 0.1, -7, 1e-310, 1e-30, -1e30, 1e300, VTK_DOUBLE_MAX,
+    VTK_DOUBLE_MIN, NotANumber, Infinity, -Infinity };
+  for (const double first : ends)
+  {
+    for (const double second : ends)
+    {
+      const double both[2] = { first, second };
+      const Range range(both);
+      const std::string name =
+        "from " + std::to_string(first) + " to " + std::to_string(second) + ": ";
+      const bool finite = std::isfinite(first) && std::isfinite(second);
+      for (const Real value : values)
+      {
+        const Real importance = range.Map(value);
+        checks.True(name + "a number", importance >= 0 && importance <= (finite ? 1 : 0));
+      }
+      checks.True(name + "NaN", range.Map(Limits::quiet_NaN()) == 0);
+      if (finite && std::abs(first) < 1e35 && std::abs(second) < 1e35)
+      {
+        checks.True(name + "the second end", range.Map(Real(second)) == 1);
+        checks.True(
+          name + "the first end", Real(first) == Real(second) || range.Map(Real(first)) == 0);
+        const Real below = first <= second ? -Limits::infinity() : Limits::infinity();
+        checks.True(name + "beyond the ends", range.Map(below) == 0 && range.Map(-below) == 1);
+      }
+    }
+  }
+  const double rising[2] = { 3, 7 };
+  const double falling[2] = { 7, 3 };
+  checks.True(
+    "between the ends", Range(rising).Map(4) == Real(0.25) && Range(falling).Map(4) == Real(0.75));
+  const double equal[2] = { 3, 3 };
+  checks.True("equal ends", Range(equal).Map(Real(2.999)) == 0 && Range(equal).Map(3) == 1);
 }
 
 /** What is as important as all else is in front of nothing: interpolation keeps equal values. */
@@ -372,6 +467,9 @@ void TestGatherScale(Checks& checks)
 int TestReferenceImportance(int, char*[])
 {
   Checks checks;
+  TestMapping<double>(checks);
+  TestMapping<float>(checks);
+  TestRanges(checks);
   TestPenalty(checks);
   TestEqualImportance(checks);
   TestWeighting(checks);

@@ -26,6 +26,40 @@
 
 namespace
 {
+/** A pass that holds another one, of a class that the installer does not know. */
+class HolderPass : public vtkRenderPass
+{
+public:
+  static HolderPass* New() { VTK_STANDARD_NEW_BODY(HolderPass); }
+  vtkTypeMacro(HolderPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->Held->Render(state);
+    this->NumberOfRenderedProps = this->Held->GetNumberOfRenderedProps();
+  }
+
+  vtkSmartPointer<vtkRenderPass> Held;
+
+  static vtkRenderPass* GetHeld(vtkRenderPass* pass)
+  {
+    return HolderPass::SafeDownCast(pass)->Held;
+  }
+  static void SetHeld(vtkRenderPass* pass, vtkRenderPass* held)
+  {
+    HolderPass::SafeDownCast(pass)->Held = held;
+  }
+  static vtkRenderPass* GetNone(vtkRenderPass*) { return nullptr; }
+};
+
+class HolderSubclass : public HolderPass
+{
+public:
+  static HolderSubclass* New() { VTK_STANDARD_NEW_BODY(HolderSubclass); }
+  vtkTypeMacro(HolderSubclass, HolderPass);
+};
+
+//------------------------------------------------------------------------------
 bool TestOpaqueScene()
 {
   SphereScene scene(200, 150, 0, 0, 5);
@@ -103,6 +137,40 @@ bool TestChains()
   return passed;
 }
 
+bool TestAddedHolder()
+{
+  SphereScene scene(200, 150, 0, 8, 1);
+  OpenGLDebugOutput debugOutput(scene.Window);
+  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
+  const Picture exact = Picture::Render(scene.Window);
+  vtkNew<vtkCameraPass> camera;
+  vtkNew<HolderSubclass> holder;
+  vtkNew<vtkDefaultPass> standard;
+  holder->Held = standard;
+  camera->SetDelegatePass(holder);
+  scene.Renderer->SetPass(camera);
+  const auto isExact = [&]
+  {
+    pass->GetStatistics()->Reset();
+    const Picture picture = Picture::Render(scene.Window);
+    return pass->GetStatistics()->GetFragments() > 0 && picture == exact;
+  };
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkObject::SafeDownCast(scene.Renderer->GetInformation()->Get(vtkTransparencyInstaller::KEY()))
+    ->AddObserver(vtkCommand::WarningEvent, observer);
+  bool passed = Check(!isExact(), "a class of holders is known before it is added");
+  passed &= Check(observer->GetWarningMessage().find("HolderSubclass") != std::string::npos,
+    "no warning names the unknown class");
+  vtkTransparencyInstaller::AddHolder("HolderPass", HolderPass::GetHeld, HolderPass::SetHeld);
+  passed &= Check(isExact(), "behind a subclass of a holder that was added");
+  passed &= Check(holder->Held.Get() == standard, "the holder is not as it was");
+  vtkTransparencyInstaller::AddHolder("HolderSubclass", HolderPass::GetNone, HolderPass::SetHeld);
+  passed &= Check(!isExact(), "what was added for the base class counts");
+  vtkTransparencyInstaller::AddHolder("HolderSubclass", HolderPass::GetHeld, HolderPass::SetHeld);
+  passed &= Check(isExact(), "what was added again does not count");
+  return passed;
+}
+
 bool TestSelection()
 {
   SphereScene scene(200, 150, 0, 6, 2);
@@ -168,6 +236,7 @@ int TestTransparencyInstaller(int, char*[])
 {
   bool passed = TestOpaqueScene();
   passed &= TestChains();
+  passed &= TestAddedHolder();
   passed &= TestSelection();
   passed &= TestNoRenderer();
   passed &= TestSeveralRenderers();

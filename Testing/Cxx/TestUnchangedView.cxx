@@ -64,6 +64,59 @@ public:
   vtkExactTransparencyPass* Pass;
 };
 
+/** Draws one of two mappers, like ParaView's vtkPVLODActor: switching leaves its time as it is. */
+class LevelsOfDetail : public vtkActor
+{
+public:
+  vtkTypeMacro(LevelsOfDetail, vtkActor);
+  vtkMapper* GetMapper() override { return this->Coarse ? this->CoarseMapper.Get() : this->Mapper; }
+  void Render(vtkRenderer* renderer, vtkMapper*) override
+  {
+    this->Property->Render(this, renderer);
+    this->Device->SetProperty(this->Property);
+    this->Device->SetPropertyKeys(this->GetPropertyKeys());
+    this->Device->SetIsRenderingTranslucentPolygonalGeometry(true);
+    this->Device->SetMapper(this->GetMapper());
+    this->Device->Render(renderer, this->GetMapper());
+  }
+
+  bool Coarse = false;
+  vtkSmartPointer<vtkMapper> CoarseMapper;
+
+private:
+  vtkNew<vtkActor> Device;
+};
+
+/** By the name that the pass knows. */
+class vtkPVLODActor : public LevelsOfDetail
+{
+public:
+  static vtkPVLODActor* New() { VTK_STANDARD_NEW_BODY(vtkPVLODActor); }
+  vtkTypeMacro(vtkPVLODActor, LevelsOfDetail);
+};
+
+/** By a name that the pass cannot know. */
+class OtherLevelsOfDetail : public LevelsOfDetail
+{
+public:
+  static OtherLevelsOfDetail* New() { VTK_STANDARD_NEW_BODY(OtherLevelsOfDetail); }
+  vtkTypeMacro(OtherLevelsOfDetail, LevelsOfDetail);
+};
+
+/** Shows the scene's surface and its opaque sphere as two levels of detail. */
+template <typename ActorT>
+ActorT* AddLevelsOfDetail(Scene& scene)
+{
+  vtkNew<ActorT> actor;
+  actor->SetMapper(scene.Surface->GetMapper());
+  actor->CoarseMapper = scene.Opaque->GetMapper();
+  actor->GetProperty()->SetOpacity(0.5);
+  scene.Surface->VisibilityOff();
+  scene.Opaque->VisibilityOff();
+  scene.Renderer->AddActor(actor);
+  return actor;
+}
+
 /** What is done to a scene, and the stages of the next frame. */
 struct Case
 {
@@ -131,6 +184,7 @@ bool TestGeometryChanges()
         array->Modified();
       } },
     { "name of importance", [](Scene& s) { s.Optimization->SetImportanceArray("Other"); } },
+    { "range of importance", [](Scene& s) { s.Optimization->SetImportanceRange(0.3, 0.6); } },
     { "user matrix", [](Scene& s) { s.Matrix->SetElement(0, 3, 0.4); } },
     { "light", [](Scene& s) { s.Light->SetPosition(-4.0, 3.0, 1.0); } },
     { "clipping plane", [](Scene& s) { s.Plane->SetOrigin(0.3, 0.0, 0.0); } },
@@ -329,6 +383,7 @@ bool TestUncertainProps()
 {
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> cases = {
     { "glyphs", [](Scene& s) { s.AddGlyphs(); } },
+    { "a subclass of vtkActor", [](Scene& s) { AddLevelsOfDetail<OtherLevelsOfDetail>(s); } },
     { "an assembly",
       [](Scene& s)
       {
@@ -348,6 +403,38 @@ bool TestUncertainProps()
     passed &= Check(Picture::Render(scene.Window) == before, name + ": other bytes");
     passed &= Check(GetStages(scene.Pass) == GatheredStages, name + ": " + GetStages(scene.Pass));
   }
+  return passed;
+}
+
+//------------------------------------------------------------------------------
+// Data of the level that is not drawn may change unseen, until it is drawn.
+bool TestLevelsOfDetail()
+{
+  Scene scene;
+  OpenGLDebugOutput debugOutput(scene.Window);
+  auto* actor = AddLevelsOfDetail<vtkPVLODActor>(scene);
+  auto* sphere = vtkSphereSource::SafeDownCast(scene.Opaque->GetMapper()->GetInputAlgorithm());
+  const auto show = [&](bool coarse)
+  {
+    actor->Coarse = coarse;
+    return Picture::Render(scene.Window);
+  };
+  const Picture fine = show(false);
+  bool passed = Check(show(false) == fine, "level of detail: other bytes");
+  passed &= Check(GetStages(scene.Pass) == UnchangedStages, "level: " + GetStages(scene.Pass));
+  const Picture coarse = show(true);
+  passed &= Check(!(coarse == fine), "the level of detail changes nothing");
+  passed &= Check(GetStages(scene.Pass) == GatheredStages, "other level: " + GetStages(scene.Pass));
+  passed &= Check(show(false) == fine, "the former level of detail: other bytes");
+  passed &= Check(GetStages(scene.Pass) == GatheredStages, "level again: " + GetStages(scene.Pass));
+  sphere->SetRadius(0.8);
+  passed &= Check(show(false) == fine, "data of the hidden level changes the picture");
+  passed &= Check(
+    GetStages(scene.Pass) == UnchangedStages, "hidden level changes: " + GetStages(scene.Pass));
+  const Picture larger = show(true);
+  passed &= Check(!(larger == coarse), "the level of detail has old data");
+  sphere->SetRadius(0.9);
+  passed &= Check(!(show(true) == larger), "data of the shown level changes nothing");
   return passed;
 }
 
@@ -389,6 +476,7 @@ int TestUnchangedView(int, char*[])
   passed &= TestShaderInput();
   passed &= TestNothingChanges();
   passed &= TestUncertainProps();
+  passed &= TestLevelsOfDetail();
   passed &= TestChangesMeanwhile();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

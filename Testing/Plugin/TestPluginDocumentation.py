@@ -8,7 +8,9 @@ import re
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from paraview import servermanager, simple
+from paraview import servermanager
+
+from plugin import load_plugin
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = pathlib.Path(os.environ["PELLUCID_DOCUMENTATION"])
@@ -41,7 +43,7 @@ def sources():
 class TestPluginDocumentation(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        simple.LoadPlugin(os.environ["PELLUCID_PLUGIN"], remote=False, ns=vars(simple))
+        load_plugin()
 
     def test_every_parameter_is_in_the_table_with_its_default(self):
         display = servermanager.CreateProxy("representations", "PellucidRepresentation")

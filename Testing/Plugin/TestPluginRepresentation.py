@@ -9,17 +9,7 @@ from paraview import simple
 
 import pellucid
 from pictures import picture
-
-def stream_lines():
-    """Twenty lines through the gradient of ParaView's wavelet."""
-    gradient = simple.Gradient(Input=simple.Wavelet(), ScalarArray=["POINTS", "RTData"])
-    gradient.UpdatePipeline()  # seeds and lengths follow from its bounds
-    tracer = simple.StreamTracer(Input=gradient, SeedType="Line")
-    tracer.Vectors = ["POINTS", "Gradient"]
-    tracer.SeedType.Resolution = 19
-    tracer.MaximumStepLength = 1.0
-    tracer.InitialStepLength = 1.0
-    return tracer
+from plugin import stream_lines
 
 
 class TestPluginRepresentation(unittest.TestCase):
@@ -43,10 +33,13 @@ class TestPluginRepresentation(unittest.TestCase):
         display.Opacity = 0.5
         return display
 
-    def fragments(self):
+    def statistics(self):
         transparency = pellucid.vtkTransparencyInstaller.GetPass(self.renderer)
         self.assertIsNotNone(transparency)
-        return transparency.GetStatistics().GetFragments()
+        return transparency.GetStatistics()
+
+    def fragments(self):
+        return self.statistics().GetFragments()
 
     def picture(self):
         simple.Render(self.view)
@@ -69,6 +62,45 @@ class TestPluginRepresentation(unittest.TestCase):
         self.show(simple.Sphere(ThetaResolution=64, PhiResolution=64))
         covered = self.covered()
         self.assertAlmostEqual(self.fragments() / covered, 2.0, delta=0.1)
+
+    def test_blocks(self):
+        """Visibility, colours and opacities of blocks, as the inspector of blocks sets them."""
+        left = simple.Sphere(Center=[-1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        right = simple.Sphere(Center=[1.0, 0.0, 0.0], ThetaResolution=32, PhiResolution=32)
+        group = simple.GroupDatasets(Input=[left, right])
+        group.BlockNames = ["left", "right"]
+        display = self.show(group)
+        display.ColorArrayName = ["POINTS", ""]
+        both = self.covered()
+        display.BlockSelectors = ["/Root/left"]
+        self.assertAlmostEqual(self.covered() / both, 0.5, delta=0.02)
+        fragments = self.fragments()
+        display.BlockSelectors = ["/Root"]
+        self.assertEqual(self.covered(), both)
+        self.assertAlmostEqual(self.fragments() / fragments, 2.0, delta=0.02)
+        display.BlockColors = ["/Root/left", "1.0", "0.0", "0.0"]
+        display.BlockOpacities = ["/Root/right", "1.0"]
+        picture = self.picture()
+        middle = picture.shape[1] // 2
+        for half, is_red in ((picture[:, :middle], True), (picture[:, middle:], False)):
+            shown = half[(half != self.empty[:, :middle]).any(axis=2)].mean(axis=0)
+            self.assertEqual(bool(shown[0] > 1.5 * shown[1]), is_red)
+
+    def test_an_unchanged_view_is_not_gathered_again(self):
+        self.show(simple.Sphere(ThetaResolution=64, PhiResolution=64))
+        self.view.LODThreshold = 0.0
+        picture_of_all = self.picture()
+
+        def gathers(render):
+            render()
+            return self.statistics().GetStageMilliseconds("gather") > 0.0
+
+        interact = self.view.SMProxy.InteractiveRender
+        self.assertFalse(gathers(self.picture))
+        self.assertTrue(gathers(interact))  # another level of detail
+        self.assertFalse(gathers(interact))
+        self.assertTrue(gathers(self.picture))
+        self.assertTrue((self.picture() == picture_of_all).all())
 
     def test_the_view_is_exact_while_one_is_visible(self):
         first = self.show(simple.Sphere())

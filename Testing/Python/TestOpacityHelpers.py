@@ -3,6 +3,7 @@
 """pellucid.optimize and pellucid.avoid attach parameters, pellucid.restore ends them."""
 
 import gc
+import re
 import unittest
 
 import numpy
@@ -128,6 +129,11 @@ class TestOptimize(unittest.TestCase):
         actor = make_actor(make_lines("relevance"))
         self.assertEqual(
             pellucid.optimize(actor, importance="relevance").GetImportanceArray(), "relevance")
+        for function in (pellucid.optimize, pellucid.avoid):
+            self.assertEqual(function(self.actor).GetImportanceRange(), (0, 1))
+            for ends in ((8, -2.5), [0, 1e5], numpy.array((1, 2), numpy.float32)):
+                found = function(self.actor, importance_range=ends).GetImportanceRange()
+                self.assertEqual(found, tuple(ends))
 
     def test_front_fades_and_comes_back(self):
         self.actor.GetProperty().SetColor(1, 0, 0)
@@ -145,6 +151,19 @@ class TestOptimize(unittest.TestCase):
         window.Render()
         self.assertTrue(numpy.array_equal(picture(window), before))
         self.assertEqual(transparency.GetStatistics().GetSolvedFragments(), 0)
+
+    def test_any_array_and_its_range(self):
+        actor = make_actor(with_array(make_lines(), "speed", (10, 10, 3, 3)))
+        found = []
+        for chosen, importance, ends in (
+                (self.actor, "Importance", (0, 1)), (actor, "speed", (10, 3)),
+                (actor, "speed", (3, 10))):
+            pellucid.optimize(chosen, importance=importance, importance_range=ends)
+            transparency, window = make_window(chosen)
+            window.Render()
+            found.append(vtk_to_numpy(transparency.GetOptimizedOpacities(chosen)).tolist())
+        self.assertEqual(found[0], found[1])
+        self.assertNotEqual(found[0], found[2])
 
     def test_missing_importance_is_told(self):
         other = make_actor(make_lines("other"))
@@ -257,6 +276,19 @@ class TestErrors(unittest.TestCase):
             pellucid.optimize(actor, occlusion_weight=float("nan"))
         with self.assertRaisesRegex(ValueError, "self_occlusion: expected True or False, found 2"):
             pellucid.optimize(actor, self_occlusion=2)
+
+    def test_wrong_ranges(self):
+        actor = make_actor(make_lines())
+        for function in (pellucid.optimize, pellucid.avoid):
+            for error, wrong in (
+                (ValueError, (0, 1, 2)), (ValueError, ()), (ValueError, (0, float("nan"))),
+                (ValueError, (float("-inf"), 1)), (ValueError, (0, 10**400)), (TypeError, 1),
+                (TypeError, None), (TypeError, "01"), (TypeError, (0, "1")), (TypeError, (0, 1j)),
+            ):
+                with self.assertRaisesRegex(error, "importance_range: expected two finite numbers, "
+                                            f"found {re.escape(repr(wrong))}$"):
+                    function(actor, importance_range=wrong)
+        self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
 
     def test_unknown_names(self):
         actor = make_actor(make_lines())

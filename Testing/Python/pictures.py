@@ -31,17 +31,20 @@ def reference_picture(renderer, width, height):
     return 255.0 * scalars.reshape(height, width, 4)[:, :, :3]
 
 
+def read_png(path):
+    """The colours of a file, with its alpha if there is one: integers, rows x columns x components."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    scalars = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return scalars.reshape(height, width, -1).astype(int)
+
+
 def assert_same_picture(expected, found, tolerance=2.0):
     """Two PNG files of the same size whose colours differ by less than `tolerance` of 255 (RMS)."""
-    colors = []
-    for path in (expected, found):
-        reader = vtkPNGReader()
-        reader.SetFileName(path)
-        reader.Update()
-        shape = reader.GetOutput().GetDimensions()
-        colors.append((shape, vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())))
-    (expected_shape, before), (found_shape, after) = colors
-    assert expected_shape == found_shape, f"{found}: {found_shape}, expected {expected_shape}"
-    error = ((before.astype(float) - after) ** 2).mean() ** 0.5
+    before, after = read_png(expected), read_png(found)
+    assert before.shape == after.shape, f"{found}: {after.shape}, expected {before.shape}"
+    error = ((before - after) ** 2).mean() ** 0.5
     assert error < tolerance, f"{found} differs from {expected} by {error:.2f} of 255"
     print(f"{found}: {error:.2f} of 255")
