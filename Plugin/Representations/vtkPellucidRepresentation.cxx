@@ -41,8 +41,11 @@ vtkStandardNewMacro(vtkPellucidRepresentation);
 
 namespace
 {
-// As ParaView's panel has it for no array.
-constexpr char NoArray[] = "None";
+// ParaView's panel has "None" for no array.
+std::string ArrayName(const char* name)
+{
+  return name && std::string(name) != "None" ? name : "";
+}
 
 // Of vtkTrajectoryMapper, as a share of the diagonal of the bounds.
 constexpr double LargestAutomaticRadius = 1.0 / 200.0;
@@ -109,14 +112,14 @@ void vtkPellucidRepresentation::SetRadiusArray(const char* name)
 {
   for (vtkMapper* mapper : { this->Mapper, this->LODMapper })
   {
-    vtkTrajectoryMapper::SafeDownCast(mapper)->SetRadiusArray(name);
+    vtkTrajectoryMapper::SafeDownCast(mapper)->SetRadiusArray(ArrayName(name).c_str());
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetImportanceArray(int, int, int, int, const char* name)
 {
-  const std::string array = name && std::string(name) != NoArray ? name : "";
+  const std::string array = ArrayName(name);
   if (array != this->GetSegments()->GetImportanceArray())
   {
     this->GetSegments()->SetImportanceArray(array);

@@ -63,8 +63,8 @@ public:
    * data and the number of lines. */
   void SetRadius(double radius);
 
-  /** Point array with one component that holds the radius in world units; empty (default): the
-   * constant Radius. */
+  /** Point array with one component that holds the radius in world units; empty or "None"
+   * (default): the constant Radius. */
   void SetRadiusArray(const char* name);
 
   /**

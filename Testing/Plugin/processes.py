@@ -24,7 +24,7 @@ def program(name):
 
 
 @contextlib.contextmanager
-def started(*command, environment=None):
+def started(*command, environment=None, folder=None):
     """Start a program; yields the process and the file that it prints to.
 
     Neither the process nor one of its children survives.
@@ -36,6 +36,7 @@ def started(*command, environment=None):
             stdout=output,
             stderr=subprocess.STDOUT,
             env={**os.environ, **(environment or {})},
+            cwd=folder,
             start_new_session=True,
         )
         try:
@@ -51,9 +52,9 @@ def printed(output):
     return output.read()
 
 
-def run(*command, environment=None, timeout=120):
+def run(*command, environment=None, folder=None, timeout=120):
     """What a program prints; it has to succeed without a complaint."""
-    with started(*command, environment=environment) as (process, output):
+    with started(*command, environment=environment, folder=folder) as (process, output):
         try:
             process.wait(timeout)
         except subprocess.TimeoutExpired:
