@@ -353,8 +353,9 @@ void vtkExactTransparencyPass::PrepareImportance(const vtkRenderState* state)
     vtkWarningMacro(
       "The data of an actor whose opacities follow from importance has no point array \""
       << array
-      << "\" of one component: it counts as unimportant. Name its importance with "
-         "vtkImportanceDrivenOpacity::SetImportanceArray().");
+      << "\" of one component: it counts as unimportant. Make one with vtkImportance (ParaView's "
+         "filter "
+         "Importance), or name another with vtkImportanceDrivenOpacity::SetImportanceArray().");
   }
   for (const std::string& mapper : scene.TakeUnsupportedMappers())
   {

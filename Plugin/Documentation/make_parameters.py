@@ -16,7 +16,9 @@ PAGE = """<html>
 </head>
 <body>
 <h1>Parameters of the representation Pellucid</h1>
-<p>In Python they are properties of the display that <code>simple.Show()</code> returns.</p>
+<p>In Python they are properties of the display that <code>simple.Show()</code> returns. What is told after
+drawing: <code>display.UpdatePropertyInformation()</code>, then
+<code>display.GetPropertyValue("Fragments")</code>.</p>
 {sections}
 </body>
 </html>

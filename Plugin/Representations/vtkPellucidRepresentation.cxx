@@ -5,6 +5,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCompositeRepresentation.h"
 #include "vtkDataArray.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkMatrix4x4.h"
@@ -12,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
+#include "vtkPVDataDeliveryManager.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVServerInformation.h"
@@ -27,7 +29,9 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <locale>
+#include <set>
 #include <sstream>
 
 // Only a ParaView with MPI has it.
@@ -59,11 +63,32 @@ bool IsSurface(vtkDataObject* geometry)
 }
 
 //------------------------------------------------------------------------------
-// The same number in each of them, and in a client.
-int GetNumberOfRenderingProcesses()
+// Where the data server renders: the same number in each process of it, and in its client.
+int GetNumberOfServerProcesses()
 {
   auto* session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
   return session ? session->GetServerInformation()->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
+// Whether the data come from other processes than those that render, which know nothing of these.
+bool HasDataServer()
+{
+  const auto type = vtkProcessModule::GetProcessType();
+  auto* session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
+  return type == vtkProcessModule::PROCESS_DATA_SERVER ||
+    type == vtkProcessModule::PROCESS_RENDER_SERVER ||
+    (session &&
+      session->GetController(vtkPVSession::DATA_SERVER) !=
+        session->GetController(vtkPVSession::RENDER_SERVER));
+}
+
+//------------------------------------------------------------------------------
+// Of this process.
+std::set<vtkPellucidRepresentation*>& GetAllDisplays()
+{
+  static std::set<vtkPellucidRepresentation*> displays;
+  return displays;
 }
 
 //------------------------------------------------------------------------------
@@ -93,10 +118,15 @@ vtkPellucidRepresentation::vtkPellucidRepresentation()
   }
   this->SetupDefaults();
   AddCompositePass();
+  GetAllDisplays().insert(this);
 }
 
 //------------------------------------------------------------------------------
-vtkPellucidRepresentation::~vtkPellucidRepresentation() = default;
+vtkPellucidRepresentation::~vtkPellucidRepresentation()
+{
+  GetAllDisplays().erase(this);
+  this->LeaveView();
+}
 
 //------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetRadius(double radius)
@@ -247,34 +277,6 @@ void vtkPellucidRepresentation::SetSmoothAttributes(bool smooth)
 }
 
 //------------------------------------------------------------------------------
-void vtkPellucidRepresentation::SetGatherScale(int scale)
-{
-  this->GatherScale = scale;
-  this->UpdatePass();
-}
-
-//------------------------------------------------------------------------------
-void vtkPellucidRepresentation::SetMemoryLimit(int mebibytes)
-{
-  this->MemoryLimit = mebibytes;
-  this->UpdatePass();
-}
-
-//------------------------------------------------------------------------------
-void vtkPellucidRepresentation::SetPictureView(int view)
-{
-  this->PictureView = view;
-  this->UpdatePass();
-}
-
-//------------------------------------------------------------------------------
-void vtkPellucidRepresentation::SetPictureLayer(int layer)
-{
-  this->PictureLayer = layer;
-  this->UpdatePass();
-}
-
-//------------------------------------------------------------------------------
 void vtkPellucidRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
@@ -288,6 +290,7 @@ bool vtkPellucidRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
+  this->LeaveView();
   this->View = vtkPVRenderView::SafeDownCast(view);
   this->UpdateTransparency();
   return true;
@@ -298,10 +301,19 @@ bool vtkPellucidRepresentation::RemoveFromView(vtkView* view)
 {
   if (this->View == view)
   {
+    this->LeaveView();
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::LeaveView()
+{
+  if (this->View)
+  {
     vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
   }
   this->View = nullptr;
-  return this->Superclass::RemoveFromView(view);
 }
 
 //------------------------------------------------------------------------------
@@ -318,12 +330,7 @@ void vtkPellucidRepresentation::UpdateTransparency()
     vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
     return;
   }
-  const bool isFirst = this->GetPass() == nullptr;
   vtkTransparencyInstaller::Install(this->View->GetRenderer(), this);
-  if (isFirst)
-  {
-    this->UpdatePass();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -336,14 +343,39 @@ vtkExactTransparencyPass* vtkPellucidRepresentation::GetPass()
 void vtkPellucidRepresentation::UpdatePass()
 {
   vtkExactTransparencyPass* pass = this->GetPass();
-  if (pass && this->GetVisibility())
+  if (!pass)
   {
-    pass->SetGatherScale(this->GatherScale);
-    pass->SetMemoryLimit(this->MemoryLimit);
-    pass->SetView(this->PictureView);
-    pass->SetLayer(this->PictureLayer);
-    pass->RoundTranslucentLayersOn(); // a client gets the bits of its own picture from a server
+    return;
   }
+  ViewSettings settings;
+  for (vtkPellucidRepresentation* display : this->GetDisplays())
+  {
+    settings.Merge(display->Settings);
+  }
+  pass->SetGatherScale(settings.GatherScale);
+  pass->SetMemoryLimit(settings.MemoryLimit);
+  pass->SetView(settings.PictureView);
+  pass->SetLayer(settings.PictureLayer);
+  pass->RoundTranslucentLayersOn(); // a client gets the bits of its own picture from a server
+}
+
+//------------------------------------------------------------------------------
+void vtkPellucidRepresentation::ViewSettings::Merge(const ViewSettings& other)
+{
+  const ViewSettings defaults;
+  const auto merge = [&](int ViewSettings::*setting)
+  {
+    if (other.*setting != defaults.*setting)
+    {
+      this->*setting = this->*setting == defaults.*setting
+        ? other.*setting
+        : std::max(this->*setting, other.*setting);
+    }
+  };
+  merge(&ViewSettings::GatherScale);
+  merge(&ViewSettings::MemoryLimit);
+  merge(&ViewSettings::PictureView);
+  merge(&ViewSettings::PictureLayer);
 }
 
 //------------------------------------------------------------------------------
@@ -357,31 +389,58 @@ int vtkPellucidRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* type, vtkInformation* input, vtkInformation* output)
 {
   const bool blocksChanged = this->BlockAttrChanged; // the superclass forgets it
+  if (type == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
+  {
+    this->ChooseProcess();
+  }
   if (!this->Superclass::ProcessViewRequest(type, input, output))
   {
     return 0;
   }
   if (type == vtkPVView::REQUEST_UPDATE())
   {
-    this->UpdateDelivery(input);
+    vtkPVRenderView::SetDeliverToAllProcesses(input, this, this->DrawsOnFirst);
     this->UpdateBounds(input);
   }
   else if (type == vtkPVView::REQUEST_RENDER())
   {
     this->Actor->SetVisibility(!this->DrawsElsewhere());
+    this->BackfaceActor->SetVisibility(
+      this->BackfaceActor->GetVisibility() && !this->DrawsElsewhere());
     this->UpdateBlocks(blocksChanged);
     this->UpdateOpacity();
+    this->UpdatePass();
+    this->WarnOfOtherProcesses();
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkPellucidRepresentation::UpdateDelivery(vtkInformation* input)
+// The same in all processes, client included, or they would wait for each other.
+void vtkPellucidRepresentation::ChooseProcess()
 {
-  // The same in all processes, client included, or they would wait for each other.
-  this->DrawsOnFirst = this->DrawOnOneProcess && GetNumberOfRenderingProcesses() > 1 &&
-    this->NeedsOrderedCompositing();
-  vtkPVRenderView::SetDeliverToAllProcesses(input, this, this->DrawsOnFirst);
+  const auto displays = this->GetDisplays();
+  const bool drawsOnFirst = !HasDataServer() && GetNumberOfServerProcesses() > 1 &&
+    std::any_of(displays.begin(), displays.end(),
+      [](vtkPellucidRepresentation* display)
+      { return display->DrawOnOneProcess && display->NeedsOrderedCompositing(); });
+  if (drawsOnFirst != this->DrawsOnFirst)
+  {
+    // ParaView delivers again only what it does not have.
+    this->View->GetDeliveryManager()->ClearCache(this);
+    this->DrawsOnFirst = drawsOnFirst;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Those that the view shows, this one among them.
+std::vector<vtkPellucidRepresentation*> vtkPellucidRepresentation::GetDisplays()
+{
+  std::vector<vtkPellucidRepresentation*> displays;
+  std::copy_if(GetAllDisplays().begin(), GetAllDisplays().end(), std::back_inserter(displays),
+    [this](vtkPellucidRepresentation* display)
+    { return this->View && display->View == this->View && display->GetVisibility(); });
+  return displays;
 }
 
 //------------------------------------------------------------------------------
@@ -483,7 +542,6 @@ void vtkPellucidRepresentation::UpdateOpacity()
   opacity->SetImportanceArray(this->GetSegments()->GetImportanceArray().c_str());
   opacity->SetImportanceRange(this->UsedImportanceRange.data());
   vtkImportanceDrivenOpacity::Attach(this->Actor, opacity);
-  this->WarnOfOtherProcesses();
 }
 
 //------------------------------------------------------------------------------
@@ -506,14 +564,16 @@ void vtkPellucidRepresentation::UpdateOptimization()
 //------------------------------------------------------------------------------
 void vtkPellucidRepresentation::WarnOfOtherProcesses()
 {
-  if (!this->WarnedOfOtherProcesses && !this->GetSeesAllFragments())
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool tells = !controller || controller->GetLocalProcessId() == 0;
+  const bool isWanted =
+    this->HasImportance() || (this->DrawOnOneProcess && this->NeedsOrderedCompositing());
+  if (!this->WarnedOfOtherProcesses && tells && isWanted && !this->GetSeesAllFragments())
   {
-    vtkWarningMacro("Each of the " << GetNumberOfRenderingProcesses()
-                                   << " processes finds opacities from its own fragments, and an "
-                                      "automatic importance range from "
-                                      "its own data: what another one draws is neither preferred "
-                                      "nor faded for it. Switch \"Draw On One Process\" on for a "
-                                      "picture in which all fragments count.");
+    vtkWarningMacro("Several processes draw this view, each its own part of the data: layers of "
+                    "different parts may be in the wrong order, and importance counts only within "
+                    "a part. Give all displays of the view the representation Pellucid, and switch "
+                    "\"Draw On One Process\" on.");
     this->WarnedOfOtherProcesses = true;
   }
 }
@@ -521,7 +581,27 @@ void vtkPellucidRepresentation::WarnOfOtherProcesses()
 //------------------------------------------------------------------------------
 bool vtkPellucidRepresentation::GetSeesAllFragments()
 {
-  return this->DrawsOnFirst || GetNumberOfRenderingProcesses() == 1;
+  const bool isDistributed = this->View && this->View->GetUseDistributedRenderingForRender() &&
+    GetNumberOfServerProcesses() > 1;
+  return !isDistributed || (this->DrawsOnFirst && !this->HasOtherDisplays());
+}
+
+//------------------------------------------------------------------------------
+// Whether the view shows geometry that is not drawn by representations of this kind.
+bool vtkPellucidRepresentation::HasOtherDisplays()
+{
+  for (int i = 0; i < this->View->GetNumberOfRepresentations(); ++i)
+  {
+    auto* display = vtkCompositeRepresentation::SafeDownCast(this->View->GetRepresentation(i));
+    auto* shown = display && display->GetVisibility()
+      ? vtkGeometryRepresentation::SafeDownCast(display->GetActiveRepresentation())
+      : nullptr;
+    if (shown && !vtkPellucidRepresentation::SafeDownCast(shown))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -595,10 +675,10 @@ void vtkPellucidRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityPreset: " << this->OpacityPreset << "\n";
   os << indent << "OpacityStrength: " << this->OpacityStrength << "\n";
   os << indent << "DrawOnOneProcess: " << this->DrawOnOneProcess << "\n";
-  os << indent << "GatherScale: " << this->GatherScale << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "PictureView: " << this->PictureView << "\n";
-  os << indent << "PictureLayer: " << this->PictureLayer << "\n";
+  os << indent << "GatherScale: " << this->Settings.GatherScale << "\n";
+  os << indent << "MemoryLimit: " << this->Settings.MemoryLimit << "\n";
+  os << indent << "PictureView: " << this->Settings.PictureView << "\n";
+  os << indent << "PictureLayer: " << this->Settings.PictureLayer << "\n";
   os << indent << "Segments:\n";
   this->GetSegments()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "OwnOptimization:\n";

@@ -18,14 +18,15 @@
  * have other segments, and everything else is settings of the next frame. The parameters are those
  * of vtkOpacityOptimization and vtkOcclusionAvoidance, which describe them.
  *
- * Where a server of several processes renders, what is translucent is drawn by the first of them,
- * which gets all of its data: only so the picture is the exact one, and opacities follow from all
- * fragments. Without that (SetDrawOnOneProcess()) ParaView distributes the data and composites the
- * pictures of the processes: layers at the borders of their parts may come in the wrong order, and
- * each process finds opacities from its own fragments. GetSeesAllFragments() tells, and a warning.
+ * Where a server of several processes renders and one of these representations is translucent, the
+ * first process draws all of them in the view: only so the picture is the exact one, and opacities
+ * follow from all fragments. It costs that all processes, and a client, get all of the data.
+ * Without that (SetDrawOnOneProcess()), and with other geometry in the view, each process draws its
+ * own part and ParaView composites the pictures: layers of different parts may come in the wrong
+ * order, and importance counts only within a part. GetSeesAllFragments() tells, and a warning.
  *
- * What concerns the whole view (gather scale, memory limit, what the view shows) belongs to its
- * pass: the representation where it was set last decides, and the first that becomes visible.
+ * What concerns the whole view (gather scale, memory limit, what the view shows) may be set in any
+ * of its visible representations: what is not the default counts, of several values the greatest.
  *
  * @sa vtkTrajectoryMapper vtkTransparencyInstaller vtkOpacityOptimization vtkOcclusionAvoidance
  */
@@ -40,6 +41,7 @@
 
 #include <array>  // for the range
 #include <string> // for texts
+#include <vector> // for the displays of a view
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -101,7 +103,8 @@ public:
   /**
    * Settings of the optimisation: one of those of vtkOpacityOptimization::GetPresetName(), which
    * surfaces take with fewer smoothing steps, or, with the number behind the last, the four below
-   * as they are. Default is 0. The strength, at least 0, is a factor on q and r; default 1.
+   * as they are. Default is 0. The strength, at least 0 (the panel ends at 10), is a factor on q and r;
+   * default 1.
    */
   void SetOpacityPreset(int preset) { this->OpacityPreset = preset; }
   void SetOpacityStrength(double strength) { this->OpacityStrength = strength; }
@@ -131,15 +134,16 @@ public:
   /** Of all lines together; 0 (default): chosen from the data. */
   void SetNumberOfSegments(int segments);
 
-  /** Whether one of several rendering processes draws all that is translucent. Default is on. */
+  /** Whether one of several rendering processes draws all where this is translucent. Default is on.
+   * Without effect where other processes (pvdataserver) have the data. */
   void SetDrawOnOneProcess(bool one) { this->DrawOnOneProcess = one; }
 
   ///@{
   /** Of vtkExactTransparencyPass, for the whole view. */
-  void SetGatherScale(int scale);
-  void SetMemoryLimit(int mebibytes);
-  void SetPictureView(int view);
-  void SetPictureLayer(int layer);
+  void SetGatherScale(int scale) { this->Settings.GatherScale = scale; }
+  void SetMemoryLimit(int mebibytes) { this->Settings.MemoryLimit = mebibytes; }
+  void SetPictureView(int view) { this->Settings.PictureView = view; }
+  void SetPictureLayer(int layer) { this->Settings.PictureLayer = layer; }
   ///@}
 
   ///@{
@@ -153,7 +157,7 @@ public:
   /** Stages of the view's last frame and their milliseconds, such as "gather 12.1, sort 3.4". */
   const char* GetStageTimes();
 
-  /** Whether one process has all fragments that opacities follow from. */
+  /** Whether one process has had all fragments of the view's last frame. */
   bool GetSeesAllFragments();
 
   void SetVisibility(bool visible) override;
@@ -181,13 +185,26 @@ private:
   vtkSegmentedTrajectoryMapper* GetMapper();
   vtkSegmentedGeometry* GetSegments();
   bool HasImportance();
+  struct ViewSettings
+  {
+    int GatherScale = 1;
+    int MemoryLimit = 1024;
+    int PictureView = 0;
+    int PictureLayer = 1;
+
+    void Merge(const ViewSettings& other);
+  };
+
+  void LeaveView();
   void UpdateTransparency();
   vtkExactTransparencyPass* GetPass();
   vtkTransparencyStatistics* GetStatistics();
   vtkIdType GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)());
   void UpdatePass();
   bool DrawsElsewhere() const;
-  void UpdateDelivery(vtkInformation* input);
+  void ChooseProcess();
+  bool HasOtherDisplays();
+  std::vector<vtkPellucidRepresentation*> GetDisplays();
   void UpdateBounds(vtkInformation* input);
   double GetLargestRadius(double diagonal);
   void UpdateBlocks(bool changed);
@@ -206,10 +223,7 @@ private:
   int OpacityMethod = OPTIMIZATION;
   int OpacityPreset = 0;
   double OpacityStrength = 1.0;
-  int GatherScale = 1;
-  int MemoryLimit = 1024;
-  int PictureView = 0;
-  int PictureLayer = 1;
+  ViewSettings Settings;
   bool WantsNoLOD = false;
   bool DrawOnOneProcess = true;
   bool DrawsOnFirst = false; // of several processes, in this frame

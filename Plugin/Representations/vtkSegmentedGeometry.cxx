@@ -130,7 +130,6 @@ int vtkSegmentedGeometry::RequestData(
     return 1;
   }
   const std::vector<vtkPolyData*> leaves = CopyLeaves(input, output);
-  this->FindRange(leaves);
   this->DivideLines(leaves);
   for (vtkPolyData* leaf : leaves)
   {
@@ -186,18 +185,38 @@ void vtkSegmentedGeometry::DivideSurface(vtkPolyData* leaf)
 }
 
 //------------------------------------------------------------------------------
-void vtkSegmentedGeometry::FindRange(const std::vector<vtkPolyData*>& leaves)
+void vtkSegmentedGeometry::SetImportanceArray(const std::string& name)
 {
-  this->ImportanceRange = { 0.0, 1.0 };
-  if (this->ImportanceArray == MappedImportance)
+  if (name.empty() != this->ImportanceArray.empty())
   {
-    return;
+    this->Modified();
   }
-  std::vector<double> values = GetFiniteValues(leaves, this->ImportanceArray.c_str());
+  this->RangeOutdated = this->RangeOutdated || name != this->ImportanceArray;
+  this->ImportanceArray = name;
+}
+
+//------------------------------------------------------------------------------
+const std::array<double, 2>& vtkSegmentedGeometry::GetImportanceRange()
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  if (!input || (!this->RangeOutdated && input->GetMTime() < this->RangeTime))
+  {
+    return this->ImportanceRange;
+  }
+  this->ImportanceRange = { 0.0, 1.0 };
+  std::vector<double> values;
+  if (this->ImportanceArray != MappedImportance)
+  {
+    values = GetFiniteValues(
+      vtkCompositeDataSet::GetDataSets<vtkPolyData>(input), this->ImportanceArray.c_str());
+  }
   for (std::size_t i = 0; i < Percentiles.size() && !values.empty(); ++i)
   {
     this->ImportanceRange[i] = TakePercentile(values, Percentiles[i]);
   }
+  this->RangeOutdated = false;
+  this->RangeTime.Modified();
+  return this->ImportanceRange;
 }
 
 //------------------------------------------------------------------------------

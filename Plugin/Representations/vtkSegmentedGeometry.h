@@ -34,8 +34,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Name of the point array of one component; empty, the default: nothing is divided. */
-  vtkSetMacro(ImportanceArray, std::string);
+  /** Name of the point array of one component; empty, the default: nothing is divided. Another name
+   * divides nothing anew. */
+  void SetImportanceArray(const std::string& name);
   vtkGetMacro(ImportanceArray, std::string);
   ///@}
 
@@ -47,10 +48,10 @@ public:
   ///@}
 
   /**
-   * Of the last update: the 50th and the 99th percentile of all values of the importance array; 0
-   * and 1 where there are none, or the array is called "Importance", as vtkImportance makes it.
+   * Of the input: the 50th and the 99th percentile of all values of the importance array; 0 and 1
+   * where there are none, or the array is called "Importance", as vtkImportance makes it.
    */
-  const std::array<double, 2>& GetImportanceRange() const { return this->ImportanceRange; }
+  const std::array<double, 2>& GetImportanceRange();
 
 protected:
   vtkSegmentedGeometry();
@@ -65,10 +66,11 @@ private:
 
   void DivideLines(const std::vector<vtkPolyData*>& leaves);
   void DivideSurface(vtkPolyData* leaf);
-  void FindRange(const std::vector<vtkPolyData*>& leaves);
 
   std::string ImportanceArray;
   std::array<double, 2> ImportanceRange{ { 0.0, 1.0 } };
+  vtkTimeStamp RangeTime;
+  bool RangeOutdated = true;
   int NumberOfSegments = 0;
   vtkNew<vtkTrajectorySegments> LineSegments;
   vtkNew<vtkSurfaceSegments> SurfaceSegments;

@@ -14,8 +14,9 @@ layout(std430, binding = PELLUCID_HEADS_BINDING) buffer PellucidHeads
   uint pellucidLongListCount;     // lists that are left to the CPU
   uint pellucidSolvedCount;       // fragments whose opacity was optimised
   uint pellucidHasTies;           // whether a list that the sort saw has fragments of equal depth
-  // First node of each pixel of the tile, 0: none; then the PELLUCID_BLOCK_... of each block of it. With PELLUCID_COLLAPSED set, the CPU has taken the
-  // list's fragments together to what each sample sees. Only the sort sees PELLUCID_TIED.
+  // First node of each pixel of the tile, 0: none; then the PELLUCID_BLOCK_... of each block of it.
+  // With PELLUCID_COLLAPSED set, the CPU has taken the list's fragments together to what each sample
+  // sees. Only the sort sees PELLUCID_TIED.
   uint pellucidHeads[];
 };
 

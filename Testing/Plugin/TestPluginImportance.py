@@ -201,6 +201,27 @@ class TestPluginImportance(unittest.TestCase):
         self.assertEqual(transparency.GetMemoryLimit(), 77)
         self.assertEqual(display.MemoryLimit, 77)
 
+    def test_settings_of_the_view(self):
+        """What is not the default in one of the visible displays holds for the view."""
+        first, second = simple.Sphere(), simple.Sphere(Center=[1.0, 0.0, 0.0])
+        display = self.show(first, Opacity=0.5)
+        other = self.show(second, Opacity=0.5)
+        plain = self.draw()
+        other.PictureView = "Number of Layers"
+        display.GatherScale = 2
+        self.assertTrue((self.draw() != plain).any())
+        transparency = pellucid.vtkTransparencyInstaller.GetPass(self.renderer)
+        self.assertEqual(transparency.GetGatherScale(), 2)
+        other.Representation = "Surface"
+        self.draw()
+        self.assertEqual(transparency.GetView(), transparency.VIEW_PICTURE)
+        other.Representation = "Pellucid"
+        self.draw()
+        self.assertEqual(transparency.GetView(), transparency.VIEW_LENGTH)
+        simple.Hide(second, self.view)
+        self.draw()
+        self.assertEqual(transparency.GetView(), transparency.VIEW_PICTURE)
+
     def test_unimportant_data(self):
         """An array that is missing in the data, or has no finite value, harms nothing."""
         lines = stream_lines()

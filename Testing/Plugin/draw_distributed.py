@@ -24,17 +24,25 @@ slices.SliceOffsetValues = [-6.0, 0.0, 6.0]
 lines = simple.Calculator(
     Input=simple.Contour(Input=slices, ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]),
     Function="coordsZ")
-for source, opacity in ((shells, 0.3), (lines, 0.6)):
-    display = plugin.show(source, view, opacity=opacity)
+displays = [plugin.show(source, view, opacity=1.0) for source in (shells, lines)]
+for display in displays:
+    display.UseDataPartitions = 1  # the pieces are cut by their bounds and stay where they are
+plugin.place_camera(view)
+# Each process draws what is opaque; what becomes translucent has to move to one, and back.
+for opacity, one in ((1.0, 1), (0.5, 1), (0.5, 0), (0.5, 1), (1.0, 1)):
+    for display in displays:
+        display.Opacity = opacity
+        display.DrawOnOneProcess = one
+    simple.Render(view)
+for display, opacity in zip(displays, (0.3, 0.6)):
+    display.Opacity = opacity
     display.TubeRadius = 0.4
     if "--in-parts" in sys.argv:
         display.DrawOnOneProcess = 0
-        display.UseDataPartitions = 1  # the pieces are cut by their bounds and stay where they are
-    elif source is lines:
-        display.ImportanceArray = ["POINTS", "Result"]
-        display.AutomaticImportanceRange = 0
-        display.ImportanceRange = [-6.0, 6.0]
-plugin.place_camera(view)
+if "--in-parts" not in sys.argv:
+    displays[1].ImportanceArray = ["POINTS", "Result"]
+    displays[1].AutomaticImportanceRange = 0
+    displays[1].ImportanceRange = [-6.0, 6.0]
 plugin.save(sys.argv[1], view)
 print("partitions:", servermanager.ActiveConnection.GetNumberOfDataPartitions())
 display.SMProxy.UpdatePropertyInformation()
