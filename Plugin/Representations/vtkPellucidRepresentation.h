@@ -103,8 +103,8 @@ public:
   /**
    * Settings of the optimisation: one of those of vtkOpacityOptimization::GetPresetName(), which
    * surfaces take with fewer smoothing steps, or, with the number behind the last, the four below
-   * as they are. Default is 0. The strength, at least 0 (the panel ends at 10), is a factor on q and r;
-   * default 1.
+   * as they are. Default is 0. The strength, at least 0 (the panel ends at 10), is a factor on q
+   * and r; default 1.
    */
   void SetOpacityPreset(int preset) { this->OpacityPreset = preset; }
   void SetOpacityStrength(double strength) { this->OpacityStrength = strength; }
