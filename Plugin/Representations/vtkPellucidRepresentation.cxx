@@ -8,14 +8,15 @@
 #include "vtkCompositeRepresentation.h"
 #include "vtkDataArray.h"
 #include "vtkExactTransparencyPass.h"
+#include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionAvoidance.h"
 #include "vtkOpacityOptimization.h"
-#include "vtkPVDataDeliveryManager.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPVServerInformation.h"
 #include "vtkPVSession.h"
 #include "vtkPointData.h"
@@ -84,11 +85,54 @@ bool HasDataServer()
 }
 
 //------------------------------------------------------------------------------
-// Of this process.
+// Of this process. Never freed: ParaView deletes some after what is static.
 std::set<vtkPellucidRepresentation*>& GetAllDisplays()
 {
-  static std::set<vtkPellucidRepresentation*> displays;
-  return displays;
+  static auto* displays = new std::set<vtkPellucidRepresentation*>;
+  return *displays;
+}
+
+//------------------------------------------------------------------------------
+// Other geometry that a view shows.
+std::vector<vtkGeometryRepresentation*> GetOtherDisplays(vtkPVRenderView* view)
+{
+  std::vector<vtkGeometryRepresentation*> others;
+  for (int i = 0; i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* display = vtkCompositeRepresentation::SafeDownCast(view->GetRepresentation(i));
+    auto* shown = display && display->GetVisibility()
+      ? vtkGeometryRepresentation::SafeDownCast(display->GetActiveRepresentation())
+      : nullptr;
+    if (shown && !vtkPellucidRepresentation::SafeDownCast(shown))
+    {
+      others.push_back(shown);
+    }
+  }
+  return others;
+}
+
+//------------------------------------------------------------------------------
+// Where that changes for a display, whether each process gets all of its data or its own part,
+// forget what has been delivered: ParaView delivers again only what it does not have.
+void ChangeDelivery(vtkPVDataRepresentation* display, vtkPVRenderView* view, bool toAll)
+{
+  static auto& gathered = *new std::vector<vtkWeakPointer<vtkPVDataRepresentation>>;
+  const auto place = std::find(gathered.begin(), gathered.end(), display);
+  if (toAll == (place != gathered.end()))
+  {
+    return;
+  }
+  auto* manager = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  manager->SetDeliverToAllProcesses(display, toAll, false);
+  manager->ClearCache(display);
+  if (toAll)
+  {
+    gathered.emplace_back(display);
+  }
+  else
+  {
+    gathered.erase(place);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -312,8 +356,26 @@ void vtkPellucidRepresentation::LeaveView()
   if (this->View)
   {
     vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
+    this->ReleaseOtherDisplays();
   }
   this->View = nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Where the view shows none of this kind any more, ParaView draws the others as ever.
+void vtkPellucidRepresentation::ReleaseOtherDisplays()
+{
+  const auto displays = this->GetDisplays();
+  if (std::any_of(displays.begin(), displays.end(),
+        [this](vtkPellucidRepresentation* display) { return display != this; }))
+  {
+    return;
+  }
+  for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
+  {
+    ChangeDelivery(other, this->View, false);
+    other->GetActor()->SetVisibility(true);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -328,6 +390,7 @@ void vtkPellucidRepresentation::UpdateTransparency()
   if (!this->GetVisibility())
   {
     vtkTransparencyInstaller::Uninstall(this->View->GetRenderer(), this);
+    this->ReleaseOtherDisplays();
     return;
   }
   vtkTransparencyInstaller::Install(this->View->GetRenderer(), this);
@@ -391,7 +454,7 @@ int vtkPellucidRepresentation::ProcessViewRequest(
   const bool blocksChanged = this->BlockAttrChanged; // the superclass forgets it
   if (type == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
   {
-    this->ChooseProcess();
+    this->ChooseProcess(input);
   }
   if (!this->Superclass::ProcessViewRequest(type, input, output))
   {
@@ -405,6 +468,10 @@ int vtkPellucidRepresentation::ProcessViewRequest(
   else if (type == vtkPVView::REQUEST_RENDER())
   {
     this->Actor->SetVisibility(!this->DrawsElsewhere());
+    for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
+    {
+      other->GetActor()->SetVisibility(!this->DrawsElsewhere());
+    }
     this->BackfaceActor->SetVisibility(
       this->BackfaceActor->GetVisibility() && !this->DrawsElsewhere());
     this->UpdateBlocks(blocksChanged);
@@ -417,18 +484,22 @@ int vtkPellucidRepresentation::ProcessViewRequest(
 
 //------------------------------------------------------------------------------
 // The same in all processes, client included, or they would wait for each other.
-void vtkPellucidRepresentation::ChooseProcess()
+void vtkPellucidRepresentation::ChooseProcess(vtkInformation* input)
 {
   const auto displays = this->GetDisplays();
   const bool drawsOnFirst = !HasDataServer() && GetNumberOfServerProcesses() > 1 &&
     std::any_of(displays.begin(), displays.end(),
       [](vtkPellucidRepresentation* display)
       { return display->DrawOnOneProcess && display->NeedsOrderedCompositing(); });
-  if (drawsOnFirst != this->DrawsOnFirst)
+  this->DrawsOnFirst = drawsOnFirst;
+  ChangeDelivery(this, this->View, drawsOnFirst);
+  for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
   {
-    // ParaView delivers again only what it does not have.
-    this->View->GetDeliveryManager()->ClearCache(this);
-    this->DrawsOnFirst = drawsOnFirst;
+    ChangeDelivery(other, this->View, drawsOnFirst);
+    // Its data have to be known to the view before; a second time, this costs nothing.
+    vtkNew<vtkInformation> ignored;
+    other->ProcessViewRequest(vtkPVView::REQUEST_UPDATE(), input, ignored);
+    vtkPVRenderView::SetDeliverToAllProcesses(input, other, drawsOnFirst);
   }
 }
 
@@ -572,8 +643,8 @@ void vtkPellucidRepresentation::WarnOfOtherProcesses()
   {
     vtkWarningMacro("Several processes draw this view, each its own part of the data: layers of "
                     "different parts may be in the wrong order, and importance counts only within "
-                    "a part. Give all displays of the view the representation Pellucid, and switch "
-                    "\"Draw On One Process\" on.");
+                    "a part. Switch \"Draw On One Process\" on, and do not use a data server "
+                    "apart from the render server.");
     this->WarnedOfOtherProcesses = true;
   }
 }
@@ -583,25 +654,7 @@ bool vtkPellucidRepresentation::GetSeesAllFragments()
 {
   const bool isDistributed = this->View && this->View->GetUseDistributedRenderingForRender() &&
     GetNumberOfServerProcesses() > 1;
-  return !isDistributed || (this->DrawsOnFirst && !this->HasOtherDisplays());
-}
-
-//------------------------------------------------------------------------------
-// Whether the view shows geometry that is not drawn by representations of this kind.
-bool vtkPellucidRepresentation::HasOtherDisplays()
-{
-  for (int i = 0; i < this->View->GetNumberOfRepresentations(); ++i)
-  {
-    auto* display = vtkCompositeRepresentation::SafeDownCast(this->View->GetRepresentation(i));
-    auto* shown = display && display->GetVisibility()
-      ? vtkGeometryRepresentation::SafeDownCast(display->GetActiveRepresentation())
-      : nullptr;
-    if (shown && !vtkPellucidRepresentation::SafeDownCast(shown))
-    {
-      return true;
-    }
-  }
-  return false;
+  return !isDistributed || this->DrawsOnFirst;
 }
 
 //------------------------------------------------------------------------------

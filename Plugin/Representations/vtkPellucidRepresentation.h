@@ -19,9 +19,9 @@
  * of vtkOpacityOptimization and vtkOcclusionAvoidance, which describe them.
  *
  * Where a server of several processes renders and one of these representations is translucent, the
- * first process draws all of them in the view: only so the picture is the exact one, and opacities
- * follow from all fragments. It costs that all processes, and a client, get all of the data.
- * Without that (SetDrawOnOneProcess()), and with other geometry in the view, each process draws its
+ * first process draws all geometry of the view, that of other representations too: only so the
+ * picture is the exact one, and opacities follow from all fragments. It costs that all processes,
+ * and a client, get all of the data. Without that (SetDrawOnOneProcess()) each process draws its
  * own part and ParaView composites the pictures: layers of different parts may come in the wrong
  * order, and importance counts only within a part. GetSeesAllFragments() tells, and a warning.
  *
@@ -202,8 +202,8 @@ private:
   vtkIdType GetStatistic(vtkIdType (vtkTransparencyStatistics::*get)());
   void UpdatePass();
   bool DrawsElsewhere() const;
-  void ChooseProcess();
-  bool HasOtherDisplays();
+  void ChooseProcess(vtkInformation* input);
+  void ReleaseOtherDisplays();
   std::vector<vtkPellucidRepresentation*> GetDisplays();
   void UpdateBounds(vtkInformation* input);
   double GetLargestRadius(double diagonal);

@@ -25,6 +25,11 @@ lines = simple.Calculator(
     Input=simple.Contour(Input=slices, ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]),
     Function="coordsZ")
 displays = [plugin.show(source, view, opacity=1.0) for source in (shells, lines)]
+if "--in-parts" not in sys.argv:
+    stock = simple.Slice(Input=wavelet)
+    stock.SliceType.Normal = [1.0, 0.0, 0.3]
+    displays.append(plugin.show(stock, view, "Surface", opacity=1.0))
+    displays[-1].ColorArrayName = ["POINTS", ""]  # ParaView finds other ranges of colours in parts
 for display in displays:
     display.UseDataPartitions = 1  # the pieces are cut by their bounds and stay where they are
 plugin.place_camera(view)
