@@ -113,14 +113,15 @@ std::vector<vtkGeometryRepresentation*> GetOtherDisplays(vtkPVRenderView* view)
 
 //------------------------------------------------------------------------------
 // Where that changes for a display, whether each process gets all of its data or its own part,
-// forget what has been delivered: ParaView delivers again only what it does not have.
-void ChangeDelivery(vtkPVDataRepresentation* display, vtkPVRenderView* view, bool toAll)
+// forget what has been delivered: ParaView delivers again only what it does not have. Returns
+// whether it has changed.
+bool ChangeDelivery(vtkPVDataRepresentation* display, vtkPVRenderView* view, bool toAll)
 {
   static auto& gathered = *new std::vector<vtkWeakPointer<vtkPVDataRepresentation>>;
   const auto place = std::find(gathered.begin(), gathered.end(), display);
   if (toAll == (place != gathered.end()))
   {
-    return;
+    return false;
   }
   auto* manager = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
   manager->SetDeliverToAllProcesses(display, toAll, false);
@@ -133,6 +134,7 @@ void ChangeDelivery(vtkPVDataRepresentation* display, vtkPVRenderView* view, boo
   {
     gathered.erase(place);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -373,8 +375,10 @@ void vtkPellucidRepresentation::ReleaseOtherDisplays()
   }
   for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
   {
-    ChangeDelivery(other, this->View, false);
-    other->GetActor()->SetVisibility(true);
+    if (ChangeDelivery(other, this->View, false))
+    {
+      other->GetActor()->SetVisibility(true);
+    }
   }
 }
 
@@ -468,10 +472,6 @@ int vtkPellucidRepresentation::ProcessViewRequest(
   else if (type == vtkPVView::REQUEST_RENDER())
   {
     this->Actor->SetVisibility(!this->DrawsElsewhere());
-    for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
-    {
-      other->GetActor()->SetVisibility(!this->DrawsElsewhere());
-    }
     this->BackfaceActor->SetVisibility(
       this->BackfaceActor->GetVisibility() && !this->DrawsElsewhere());
     this->UpdateBlocks(blocksChanged);
@@ -495,11 +495,14 @@ void vtkPellucidRepresentation::ChooseProcess(vtkInformation* input)
   ChangeDelivery(this, this->View, drawsOnFirst);
   for (vtkGeometryRepresentation* other : GetOtherDisplays(this->View))
   {
-    ChangeDelivery(other, this->View, drawsOnFirst);
-    // Its data have to be known to the view before; a second time, this costs nothing.
-    vtkNew<vtkInformation> ignored;
-    other->ProcessViewRequest(vtkPVView::REQUEST_UPDATE(), input, ignored);
-    vtkPVRenderView::SetDeliverToAllProcesses(input, other, drawsOnFirst);
+    if (ChangeDelivery(other, this->View, drawsOnFirst) || drawsOnFirst)
+    {
+      // Its data have to be known to the view before; a second time, this costs nothing.
+      vtkNew<vtkInformation> ignored;
+      other->ProcessViewRequest(vtkPVView::REQUEST_UPDATE(), input, ignored);
+      vtkPVRenderView::SetDeliverToAllProcesses(input, other, drawsOnFirst);
+      other->GetActor()->SetVisibility(!this->DrawsElsewhere());
+    }
   }
 }
 
