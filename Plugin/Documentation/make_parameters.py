@@ -104,7 +104,7 @@ definitions, page = sys.argv[1:]
 root = ElementTree.parse(definitions).getroot()
 properties = [
     element
-    for element in root.find("ProxyGroup/RepresentationProxy")
+    for element in root.find("ProxyGroup/PellucidRepresentationProxy")
     if element.tag.endswith("Property")
 ]
 sections = [

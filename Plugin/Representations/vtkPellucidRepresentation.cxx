@@ -653,10 +653,15 @@ void vtkPellucidRepresentation::WarnOfOtherProcesses()
 }
 
 //------------------------------------------------------------------------------
+bool vtkPellucidRepresentation::IsDrawnOnServer() const
+{
+  return this->View && this->View->GetUseDistributedRenderingForRender();
+}
+
+//------------------------------------------------------------------------------
 bool vtkPellucidRepresentation::GetSeesAllFragments()
 {
-  const bool isDistributed = this->View && this->View->GetUseDistributedRenderingForRender() &&
-    GetNumberOfServerProcesses() > 1;
+  const bool isDistributed = this->IsDrawnOnServer() && GetNumberOfServerProcesses() > 1;
   return !isDistributed || this->DrawsOnFirst;
 }
 

@@ -147,7 +147,8 @@ public:
   ///@}
 
   ///@{
-  /** Of the view's last frame in this process; 0 before the first, and while it is not exact. */
+  /** Of the view's last frame in this process (vtkSMPellucidRepresentationProxy asks the one that
+   * draws); 0 before the first, and while it is not exact. */
   vtkIdType GetFragments();
   vtkIdType GetSolvedFragments();
   vtkIdType GetLongestList();
@@ -156,6 +157,9 @@ public:
 
   /** Stages of the view's last frame and their milliseconds, such as "gather 12.1, sort 3.4". */
   const char* GetStageTimes();
+
+  /** Whether the view's last frame was drawn by a server, if there is one. */
+  bool IsDrawnOnServer() const;
 
   /** Whether one process has had all fragments of the view's last frame. */
   bool GetSeesAllFragments();

@@ -25,7 +25,7 @@ TUBES = {"TubeRadius": 0.7, "AutomaticImportanceRange": 0, "ImportanceRange": [1
 
 def definitions():
     """The properties of the representation in its XML, by name."""
-    proxy = ElementTree.parse(XML).getroot().find(".//RepresentationProxy")
+    proxy = ElementTree.parse(XML).getroot().find(".//PellucidRepresentationProxy")
     return {element.get("name"): element for element in proxy if element.tag.endswith("Property")}
 
 

@@ -3,6 +3,7 @@
 """Draw the scene of plugin.py, or what a state file or a script draws, in a process of its own."""
 
 import argparse
+import json
 import pathlib
 
 from paraview import simple
@@ -31,6 +32,8 @@ elif arguments.state.endswith(".pvsm"):
 else:
     exec(pathlib.Path(arguments.state).read_text())
 view = simple.GetActiveView()
+view.StillRender()  # simple.Render() would reset the camera of a state file
+print("statistics:", json.dumps(plugin.statistics(view)))
 size = list(view.ViewSize)
 arguments.folder.mkdir(parents=True, exist_ok=True)
 for name, transparent in (("opaque", 0), ("transparent", 1)):

@@ -92,6 +92,17 @@ def fragments(view):
     return transparency and transparency.GetStatistics().GetFragments()
 
 
+def statistics(view):
+    """What the panel's information says of the last picture, of the first display Pellucid."""
+    display = next(each for each in view.Representations if each.GetPropertyValue("Representation") == "Pellucid")
+    display.SMProxy.UpdatePropertyInformation()
+    names = ("Fragments", "SolvedFragments", "LongestList", "BufferBytes", "SeesAllFragments")
+    figures = {name: display.GetPropertyValue(name) for name in names}
+    figures["UsedImportanceRange"] = list(display.GetPropertyValue("UsedImportanceRange"))
+    figures["Stages"] = [stage.split()[0] for stage in display.GetPropertyValue("StageTimes").split(", ")]
+    return figures
+
+
 @contextlib.contextmanager
 def silence(case):
     """Nothing may be said meanwhile: no error, no warning, neither of VTK nor of OpenGL."""
