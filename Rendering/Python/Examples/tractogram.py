@@ -26,4 +26,5 @@ plotter = pyvista.Plotter(off_screen=True, window_size=(480, 360))
 plotter.background_color = "black"
 pellucid.add_lines(plotter, fornix, radius=0.4, scalars="Directions", rgb=True, opacity=0.4)
 plotter.camera_position = "yz"
+plotter.camera.zoom(1.7)
 plotter.screenshot(sys.argv[1])

@@ -16,15 +16,16 @@ reader.SetFileName(str(DATA / "pacific-streams.nc"))
 reader.SetVerticalScale(25)
 attributes = pellucid.vtkTrajectoryAttributes()
 attributes.SetInputConnection(reader.GetOutputPort())
-attributes.SetAttributeStatus("TotalPressureDifference", 1)
-attributes.Update()
-air = pyvista.wrap(attributes.GetOutput())
+importance = pellucid.vtkImportance()  # 0 for lines that rise by 200 hPa, 1 from 550 hPa on
+importance.SetInputConnection(attributes.GetOutputPort())
+importance.AddCriterion("TotalPressureDifference", 200, 550)
+importance.Update()
+air = pyvista.wrap(importance.GetOutput())
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(720, 300))
+plotter = pyvista.Plotter(off_screen=True, window_size=(720, 260))
 pellucid.add_lines(
     plotter, air, radius=0.25, scalars="pressure", clim=(400, 1000), cmap="coolwarm",
-    show_scalar_bar=False,
-    importance="TotalPressureDifference", importance_range=(200, 550), preset="clear-back")
+    show_scalar_bar=False, importance="Importance", preset="clear-back")
 plotter.camera_position = [(197, -90, 70), (197, 36, 12), (0, 0, 1)]
-plotter.camera.view_angle = 22
+plotter.camera.view_angle = 19
 plotter.screenshot(sys.argv[1])
