@@ -106,20 +106,20 @@ def _set_radius(mapper, data, radius):
 def _add_to_plotter(plotter, data, mapper, arguments):
     """What PyVista sets on its own mapper goes over to this one, which then takes its place."""
     show_scalar_bar = arguments.pop("show_scalar_bar", None)
-    scalar_bar_args = dict(arguments.pop("scalar_bar_args", None) or {})
+    scalar_bar_args = arguments.pop("scalar_bar_args", None) or {}
     render = arguments.pop("render", True)
     actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **arguments)
-    mapper.SetInputConnection(actor.GetMapper().GetInputConnection(0, 0))
-    mapper.ShallowCopy(actor.GetMapper())
+    replaced = actor.GetMapper()
+    mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
+    mapper.ShallowCopy(replaced)
     actor.SetMapper(mapper)
     plotter.mapper = mapper
 
     if show_scalar_bar is None:
         show_scalar_bar = plotter.theme.show_scalar_bar
-    colors_by_array = mapper.GetScalarVisibility() and not arguments.get("rgb")
-    if show_scalar_bar and colors_by_array and mapper.GetArrayName():
-        scalar_bar_args.setdefault("title", mapper.GetArrayName())
-        plotter.add_scalar_bar(mapper=mapper, render=False, **scalar_bar_args)
+    title = replaced.GetArrayName()
+    if show_scalar_bar and title and mapper.GetScalarVisibility() and not arguments.get("rgb"):
+        plotter.add_scalar_bar(mapper=mapper, render=False, **{"title": title, **scalar_bar_args})
     if render:
         plotter.render()
     return actor
