@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arguments of the functions are checked here."""
 
+import math
 import numbers
-import sys
 
 
 def class_name(argument):
@@ -31,9 +31,13 @@ def finite_pair(name, value):
         raise TypeError(message) from None
     if not all(isinstance(end, numbers.Real) for end in ends):
         raise TypeError(message)
-    if len(ends) != 2 or not all(abs(end) <= sys.float_info.max for end in ends):
+    try:
+        ends = tuple(map(float, ends))
+    except OverflowError:
+        raise ValueError(message) from None
+    if len(ends) != 2 or not all(map(math.isfinite, ends)):
         raise ValueError(message)
-    return tuple(map(float, ends))
+    return ends
 
 
 def set_parameters(target, parameters, known):

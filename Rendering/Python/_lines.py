@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Add lines and points to a renderer or a PyVista plotter."""
 
+import numbers
+
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from ._appearance import PLOTTER_ARGUMENTS, RENDERER_ARGUMENTS, set_appearance
@@ -92,7 +94,7 @@ def _add(view, data, radius, importance, importance_range, preset, arguments):
 
 
 def _set_radius(mapper, data, radius):
-    if isinstance(radius, (int, float)):
+    if isinstance(radius, numbers.Real):
         if not 0 <= radius < float("inf"):
             raise ValueError(f"radius: expected 0 or more, found {radius!r}")
         mapper.SetRadius(radius)

@@ -113,6 +113,8 @@ class TestPicture(ViewTest):
             pellucid.add_lines(self.renderer, [FRONT], scalars=HEIGHTS[:3], clim=(2, 4))
 
     def test_radius_for_each_point(self):
+        constant = pellucid.add_lines(self.renderer, FRONT, radius=numpy.float32(0.5))
+        self.assertEqual(constant.GetMapper().GetRadius(), 0.5)
         for radius in ([0.1, 0.2, 0.3], "Radius"):
             self.renderer.RemoveAllViewProps()
             if radius == "Radius":

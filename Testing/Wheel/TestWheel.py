@@ -63,7 +63,9 @@ class TestWheel(unittest.TestCase):
             self.assertEqual(self.wheel.read(found), (ROOT / file).read_bytes())
 
     def test_versions_have_one_source(self):
-        version = re.search(r"VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()[500:]).group(1)
+        project = re.search(r"project\(Pellucid\s+VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
+        version = project.group(1)
+        self.assertIn(f"\nversion: {version}\n", (ROOT / "CITATION.cff").read_text())
         self.assertEqual(importlib.metadata.version("pellucid"), version)
         self.assertEqual(pellucid.__version__, version)
         self.assertIn(version, run(PROGRAM, "--version").stdout)
@@ -82,8 +84,14 @@ class TestInstalled(unittest.TestCase):
         done = run(sys.executable, "-c", "import pellucid", env=environment)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
+    @unittest.skipUnless(
+        hasattr(pellucid.vtkTrajectoryMapper, "radius"), "wrapped by tools older than VTK 9.4")
+    def test_properties_in_snake_case(self):
+        mapper = pellucid.vtkTrajectoryMapper(radius=2.0, opacity_array="fade")
+        self.assertEqual((mapper.radius, mapper.GetOpacityArray()), (2.0, "fade"))
+
     def test_program_ends_as_the_program_does(self):
-        done = run(PROGRAM, "no-such-file.vtk")
+        done = run(PROGRAM, "no-such-file.vtk", "-o", "picture.png")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("no-such-file.vtk", done.stderr)
         self.assertNotIn("Traceback", done.stderr)
