@@ -56,9 +56,10 @@ endif ()
 include(PellucidVTKStringABI)
 message(STATUS "Pellucid: VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
 
-# What is installed finds a VTK outside the system's folders, such as the wheel's.
+# What is installed finds a VTK outside the system's folders, such as the wheel's. A wheel of our own
+# knows where that is by itself.
 get_target_property(pellucid_vtk_folder VTK::CommonCore LOCATION)
 get_filename_component(pellucid_vtk_folder "${pellucid_vtk_folder}" DIRECTORY)
-if (NOT pellucid_vtk_folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
+if (NOT SKBUILD AND NOT pellucid_vtk_folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
   list(APPEND CMAKE_INSTALL_RPATH "${pellucid_vtk_folder}")
 endif ()

@@ -18,9 +18,5 @@ vtk_module_wrap_python(
   TARGET Pellucid::Python
   BUILD_STATIC OFF)
 
-configure_file(Rendering/Python/__init__.py.in
-  "${CMAKE_BINARY_DIR}/${pellucid_python_destination}/pellucid/__init__.py" @ONLY)
-install(FILES
-  "${CMAKE_BINARY_DIR}/${pellucid_python_destination}/pellucid/__init__.py"
-  DESTINATION "${pellucid_python_destination}/pellucid"
-  COMPONENT python)
+include(PellucidPythonSources)
+pellucid_install_python_sources("${pellucid_python_destination}")

@@ -13,7 +13,7 @@
  * Drawn are vtkActor, and the actors of assemblies, with
  * - tubes, balls, polygons and strips of vtkTrajectoryMapper;
  * - triangles, polygons and strips of any other vtkPolyDataMapper without impostors, and of
- *   composite poly data mappers;
+ *   composite poly data mappers, and of the surface that vtkDataSetMapper draws;
  * - the polygons of glyphs of vtkGlyph3DMapper.
  * Whatever else the renderer holds (volumes, one-pixel wide lines and points, wireframes, textures,
  * 2D props, ...) is left out; a warning names it, and so does GetOmissions().

@@ -10,9 +10,11 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkSSAAPass.h"
+#include "vtkSequencePass.h"
 
 #include <algorithm>
 #include <vector>
@@ -44,11 +46,24 @@ HolderClass MakeHolderClass(const char* name)
     { static_cast<HolderT*>(holder)->SetDelegatePass(delegate); } };
 }
 
+// A sequence holds a pass where it has no other, as PyVista's chains have.
+vtkRenderPass* GetOnlyPass(vtkRenderPass* holder)
+{
+  vtkRenderPassCollection* passes = static_cast<vtkSequencePass*>(holder)->GetPasses();
+  return passes && passes->GetNumberOfItems() == 1 ? passes->GetLastRenderPass() : nullptr;
+}
+
+void SetOnlyPass(vtkRenderPass* holder, vtkRenderPass* delegate)
+{
+  static_cast<vtkSequencePass*>(holder)->GetPasses()->ReplaceItem(0, delegate);
+}
+
 std::vector<HolderClass>& GetHolderClasses()
 {
   static std::vector<HolderClass> classes{ MakeHolderClass<vtkCameraPass>("vtkCameraPass"),
     MakeHolderClass<vtkImageProcessingPass>("vtkImageProcessingPass"),
-    MakeHolderClass<vtkSSAAPass>("vtkSSAAPass") };
+    MakeHolderClass<vtkSSAAPass>("vtkSSAAPass"),
+    HolderClass{ "vtkSequencePass", GetOnlyPass, SetOnlyPass } };
   return classes;
 }
 

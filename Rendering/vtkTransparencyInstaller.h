@@ -10,12 +10,12 @@
  *
  * The installer observes the renderer. At the start of each frame it looks for the leaf of the
  * renderer's chain of passes, through passes that hold another one: image processing,
- * supersampling and camera passes, and those of AddHolder(). A leaf that is VTK's or ParaView's
- * default pass is replaced for this frame by a vtkExactTransparencyPass, and at the end of the
- * frame the chain is as it was. A renderer without passes gets a camera pass with ours behind it,
- * until it is uninstalled or the application sets a pass. Any other leaf, ray tracing or a sequence
- * of passes for example, is left alone, with one warning. Nothing has to be subclassed, and passes
- * that the application sets later keep working.
+ * supersampling and camera passes, sequences of one pass, and those of AddHolder(). A leaf that is
+ * VTK's or ParaView's default pass is replaced for this frame by a vtkExactTransparencyPass, and at
+ * the end of the frame the chain is as it was. A renderer without passes gets a camera pass with
+ * ours behind it, until it is uninstalled or the application sets a pass. Any other leaf, ray
+ * tracing or a sequence of several passes for example, is left alone, with one warning. Nothing has
+ * to be subclassed, and passes that the application sets later keep working.
  *
  * A hardware selection runs in VTK's own path. Graphics memory is freed when the renderer is
  * uninstalled, or deleted, or its window gives up its resources.

@@ -9,6 +9,8 @@
 #include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataSetMapper.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -340,6 +342,18 @@ void vtkReferenceScene::TakeActor(vtkActor* actor, vtkMatrix4x4* modelToWorld)
       blocks && HasBlockAttributes(blocks->GetCompositeDataDisplayAttributes()));
     vtkForEachLeaf<vtkPolyData>(mapper->GetInputDataObject(0, 0),
       [&target, &rejects](vtkPolyData* data) { rejects += vtkAddReferencePolygons(target, data); });
+  }
+  else if (auto* dataSets = vtkDataSetMapper::SafeDownCast(mapper))
+  {
+    vtkSmartPointer<vtkPolyData> data = vtkPolyData::SafeDownCast(dataSets->GetInput());
+    if (!data)
+    {
+      vtkNew<vtkDataSetSurfaceFilter> filter;
+      filter->SetInputData(dataSets->GetInput());
+      filter->Update();
+      data = filter->GetOutput();
+    }
+    rejects += vtkAddReferencePolygons(target, data);
   }
   else
   {

@@ -111,13 +111,17 @@ bool TestChains()
 
   vtkNew<vtkSequencePass> sequence;
   vtkNew<vtkRenderPassCollection> passes;
+  sequence->SetPasses(passes);
+  camera->SetDelegatePass(sequence);
+  scene.Renderer->SetPass(camera);
+  passes->AddItem(steps);
+  passed &= Check(Picture::Render(scene.Window) == exact, "behind a sequence of one pass");
+  passed &= Check(passes->GetLastRenderPass() == steps, "the sequence is not as it was");
+  passes->RemoveAllItems();
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
   passes->AddItem(lights);
   passes->AddItem(opaque);
-  sequence->SetPasses(passes);
-  camera->SetDelegatePass(sequence);
-  scene.Renderer->SetPass(camera);
   auto* installer =
     vtkObject::SafeDownCast(scene.Renderer->GetInformation()->Get(vtkTransparencyInstaller::KEY()));
   vtkNew<vtkTest::ErrorObserver> observer;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pellucid.install makes a renderer exact, pellucid.uninstall gives it back to VTK."""
 
+import types
 import unittest
 
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -64,8 +65,20 @@ class TestInstall(unittest.TestCase):
         self.assertEqual(self.middle(), before)
         self.assertIsNone(self.renderer.GetPass())
 
-    def test_anything_but_a_renderer_is_refused(self):
-        for wrong in (self.window, None, "renderer"):
+    def test_windows_and_plotters_have_a_pass_for_each_renderer(self):
+        other = vtkRenderer()
+        self.window.AddRenderer(other)
+        passes = pellucid.install(self.window)
+        self.assertEqual(passes, [pellucid.install(self.renderer), pellucid.install(other)])
+        plotter = types.SimpleNamespace(renderers=[self.renderer, other])
+        self.assertEqual(pellucid.install(plotter), passes)
+        pellucid.uninstall(plotter)
+        self.window.Render()
+        self.assertIsNone(self.renderer.GetPass())
+        self.assertIsNone(other.GetPass())
+
+    def test_anything_else_is_refused(self):
+        for wrong in (plane(0.0, (1.0, 0.0, 0.0)), None, "renderer", types.SimpleNamespace(renderers=[1])):
             with self.assertRaisesRegex(TypeError, "vtkRenderer"):
                 pellucid.install(wrong)
 

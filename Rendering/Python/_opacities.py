@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opacity that follows from importance: optimize, avoid, restore."""
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+from ._arguments import checked, finite_pair, set_parameters
+from ._geometry import check_scalar_array, leaves_of
+from .vtkPellucidFilters import vtkSurfaceSegments, vtkTrajectorySegments
+from .vtkPellucidRendering import (
+    vtkImportanceDrivenOpacity,
+    vtkOcclusionAvoidance,
+    vtkOpacityOptimization,
+    vtkTrajectoryMapper,
+    vtkTransparencyInstaller,
+)
+
+
+OPTIMIZATION_PARAMETERS = (
+    "occlusion_weight", "clutter_weight", "emphasis", "smoothing_iterations", "self_occlusion")
+
+
+def presets():
+    """The names of the settings that optimize() takes, the default first."""
+    return [vtkOpacityOptimization.GetPresetName(i)
+            for i in range(vtkOpacityOptimization.GetNumberOfPresets())]
+
+
+def optimize(actor, preset="clear-front", importance="Importance", importance_range=(0.0, 1.0),
+             **parameters):
+    """Fade an actor where it hides, or clutters, what is more important.
+
+    actor: vtkActor of a renderer that install() has made exact. Lines and points need a
+        vtkTrajectoryMapper.
+    preset: one of presets(). The smoothing of presets is for lines; surfaces take 5 steps of it at
+        most.
+    importance: name of a point array of one component: any, or one that vtkImportance makes.
+    importance_range: the values of that array that mean importance 0 and 1. Where the first is the
+        greater one, small values are important.
+    parameters: over the preset: occlusion_weight (q), clutter_weight (r), emphasis (lambda),
+        smoothing_iterations (s) and self_occlusion, as vtkOpacityOptimization has them.
+
+    Data without segments gets them: a vtkTrajectorySegments or vtkSurfaceSegments takes its place
+    between the actor's mapper and what the mapper was connected to.
+
+    Returns the vtkOpacityOptimization; others can have the same by `Attach`. restore() ends it.
+    Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
+    """
+    optimization = vtkOpacityOptimization()
+    if preset not in presets():
+        raise ValueError(f"preset: expected one of {', '.join(presets())}; found {preset!r}")
+    optimization.UsePreset(preset)
+    set_parameters(optimization, parameters, OPTIMIZATION_PARAMETERS)
+    optimization.SetImportanceRange(*finite_pair("importance_range", importance_range))
+    _check_importance(actor, importance)
+    if _add_segments(actor.GetMapper()) == "surfaces" and "smoothing_iterations" not in parameters:
+        for_surfaces = vtkOpacityOptimization()
+        for_surfaces.UsePreset(preset, True)
+        optimization.SetSmoothingIterations(for_surfaces.GetSmoothingIterations())
+    return _attach(actor, optimization, importance)
+
+
+def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0, 1.0),
+          **parameters):
+    """Fade an actor by what else is in each pixel; cheaper than optimize(), and needs more care.
+
+    actor: vtkActor of a renderer that install() has made exact.
+    mode: "penalty", one factor on all that is in front of the most important thing, or "weighting".
+    importance, importance_range: a point array and two of its values, as optimize() has them.
+    parameters: penalty, importance_weight, coverage_weight, directional_variance_weight,
+        depth_weight, importance_exponent, global_opacity and smooth_attributes, as vtkOcclusionAvoidance has
+        them.
+
+    Returns the vtkOcclusionAvoidance; others can have the same by `Attach`. restore() ends it.
+    Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
+    """
+    avoidance = vtkOcclusionAvoidance()
+    modes = {"penalty": avoidance.PENALTY, "weighting": avoidance.WEIGHTING}
+    if mode not in modes:
+        raise ValueError(f"mode: expected one of {', '.join(modes)}; found {mode!r}")
+    avoidance.SetMode(modes[mode])
+    set_parameters(avoidance, parameters, (
+        "penalty", "importance_weight", "coverage_weight", "directional_variance_weight",
+        "depth_weight", "importance_exponent", "global_opacity", "smooth_attributes"))
+    avoidance.SetImportanceRange(*finite_pair("importance_range", importance_range))
+    _check_importance(actor, importance)
+    return _attach(actor, avoidance, importance)
+
+
+def restore(actor):
+    """Give an actor its own opacity back, and its mapper the connection that optimize() changed."""
+    vtkImportanceDrivenOpacity.Attach(checked(actor, vtkActor), None)
+    mapper = actor.GetMapper()
+    segments = mapper.GetInputAlgorithm() if mapper else None
+    if hasattr(segments, "_pellucid_inserted"):
+        mapper.SetInputConnection(segments.GetInputConnection(0, 0))
+
+
+def optimized_opacities(renderer, actor):
+    """The opacities that an actor was last drawn with.
+
+    renderer: vtkRenderer that has rendered the actor.
+
+    Returns an array of float32 with one value in [0, 1] for each segment of the actor's data, in the
+    order of its segment numbers, and NaN for a segment that no pixel has shown. Raises ValueError
+    where the last frame has optimised nothing for this actor.
+    """
+    transparency = vtkTransparencyInstaller.GetPass(checked(renderer, vtkRenderer))
+    found = transparency and transparency.GetOptimizedOpacities(checked(actor, vtkActor))
+    if not found:
+        raise ValueError("expected an actor whose opacities the last frame has optimised; see optimize()")
+    opacities = vtk_to_numpy(found).copy()
+    opacities[opacities < 0] = numpy.nan
+    return opacities
+
+
+def _input(mapper):
+    mapper.GetInputAlgorithm().Update()
+    data = mapper.GetInputDataObject(0, 0)
+    return data if isinstance(data, vtkCompositeDataSet) else checked(data, vtkPolyData)
+
+
+def _check_importance(actor, importance):
+    mapper = checked(actor, vtkActor).GetMapper()
+    if not mapper or not mapper.GetNumberOfInputConnections(0):
+        raise ValueError("the actor has no mapper with an input")
+    is_composite = isinstance(mapper.GetInputDataObject(0, 0), vtkCompositeDataSet)
+    if not isinstance(mapper, vtkTrajectoryMapper if is_composite else vtkPolyDataMapper):
+        raise TypeError("expected a vtkTrajectoryMapper, or a vtkPolyDataMapper of one vtkPolyData, "
+                        f"found a {mapper.GetClassName()}")
+    check_scalar_array(_input(mapper), "importance", importance)
+
+
+def _add_segments(mapper):
+    leaves = leaves_of(_input(mapper))
+    if any(leaf.GetPointData().HasArray(name)
+           for leaf in leaves for name in ("SegmentBase", "SegmentIds")):
+        return None
+    draws_lines = any(leaf.GetNumberOfLines() + leaf.GetNumberOfVerts() for leaf in leaves)
+    if draws_lines and not isinstance(mapper, vtkTrajectoryMapper):
+        raise TypeError("lines and points: expected a vtkTrajectoryMapper, found a "
+                        f"{mapper.GetClassName()}")
+    draws_surfaces = any(leaf.GetNumberOfPolys() + leaf.GetNumberOfStrips() for leaf in leaves)
+    if draws_lines and draws_surfaces:
+        raise ValueError("the actor has both lines or points and surfaces; give each of them an "
+                         "actor of its own")
+    if draws_lines or draws_surfaces:
+        segments = vtkTrajectorySegments() if draws_lines else vtkSurfaceSegments()
+        segments._pellucid_inserted = True
+        segments.SetInputConnection(mapper.GetInputConnection(0, 0))
+        mapper.SetInputConnection(segments.GetOutputPort())
+    return "lines" if draws_lines else "surfaces"
+
+
+def _attach(actor, opacity, importance):
+    opacity.SetImportanceArray(importance)
+    vtkImportanceDrivenOpacity.Attach(actor, opacity)
+    return opacity

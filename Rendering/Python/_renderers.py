@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Make renderers exact."""
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+
+from ._arguments import checked, class_name
+from .vtkPellucidRendering import vtkReferenceRenderer, vtkTransparencyInstaller
+
+
+def install(view):
+    """Make a renderer, or all that a window or plotter has now, exact from the next frame on.
+
+    view: vtkRenderer, vtkRenderWindow or PyVista plotter; ParaView:
+        `view.GetClientSideObject().GetRenderer()`.
+
+    Returns the vtkExactTransparencyPass that draws the renderer, for its parameters
+    (`SetMemoryLimit`) and statistics (`GetStatistics`); of a window or plotter the list of those of
+    its renderers. A second call returns the same passes. Raises TypeError for anything else.
+    """
+    passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers_of(view)]
+    return passes[0] if isinstance(view, vtkRenderer) else passes
+
+
+def uninstall(view):
+    """Give what install() takes back to VTK; does nothing where it was not installed."""
+    for renderer in renderers_of(view):
+        vtkTransparencyInstaller.Uninstall(renderer)
+
+
+def reference_picture(renderer, size=None):
+    """The exact picture of a renderer, in double precision and without OpenGL.
+
+    renderer: vtkRenderer. What vtkReferenceRenderer cannot draw, such as volumes, is left out.
+    size: width and height in pixels; default: those of the renderer in its window.
+
+    Returns an array of float64, height x width x 4: red, green, blue and alpha in [0, 1], the top row
+    first. Takes seconds for thousands of lines.
+    """
+    width, height = checked(renderer, vtkRenderer).GetSize() if size is None else size
+    if width < 1 or height < 1:
+        raise ValueError(f"size: expected two positive integers, found {(width, height)}")
+    reference = vtkReferenceRenderer()
+    reference.SetRenderer(renderer)
+    reference.SetSize(width, height)
+    reference.Update()
+    colors = vtk_to_numpy(reference.GetImage().GetPointData().GetScalars())
+    return colors.reshape(height, width, 4)[::-1].copy()
+
+
+def renderers_of(view):
+    """The renderers of what install() takes."""
+    if isinstance(view, vtkRenderer):
+        return [view]
+    if isinstance(view, vtkRenderWindow):
+        return list(view.GetRenderers())
+    renderers = list(getattr(view, "renderers", ()))  # a plotter, without an import of PyVista
+    if not renderers or not all(isinstance(renderer, vtkRenderer) for renderer in renderers):
+        raise TypeError("expected a vtkRenderer, a vtkRenderWindow or a PyVista plotter, found "
+                        f"{class_name(view)}")
+    return renderers

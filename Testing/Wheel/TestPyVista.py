@@ -1,0 +1,246 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes of PyVista's examples of translucency are exact once the plotter is installed."""
+
+import base64
+import io
+import unittest
+
+import numpy
+import pyvista
+from PIL import Image
+from pyvista import examples
+from vtkmodules.vtkWebCore import vtkWebApplication
+
+import pellucid
+
+RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+
+
+def crossing_lines():
+    """A horizontal one of height 0 in front of a vertical one of height 1."""
+    lines = pyvista.PolyData(
+        numpy.array([(-1, 0, 0.3), (0, 0, 0.3), (1, 0, 0.3), (0, -1, -0.3), (0, 0, -0.3), (0, 1, -0.3)]),
+        lines=[3, 0, 1, 2, 3, 3, 4, 5])
+    lines["Height"] = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0]
+    return lines
+
+
+class PlotterTest(unittest.TestCase):
+    def setUp(self):
+        self.plotter = self.make_plotter()
+
+    def make_plotter(self, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(200, 160), **options)
+        self.addCleanup(plotter.close)
+        plotter.disable_anti_aliasing()
+        return plotter
+
+    def assert_exact(self, plotter=None, least_layers=2):
+        """But for outlines, the picture is that of the reference renderer."""
+        plotter = plotter or self.plotter
+        transparency, = pellucid.install(plotter)
+        found = plotter.screenshot(return_img=True)[:, :, :3].astype(float)
+        self.assertGreaterEqual(transparency.GetStatistics().GetLongestList(), least_layers)
+        expected = 255 * pellucid.reference_picture(plotter.renderer)[:, :, :3]
+        difference = abs(found - expected).max(axis=2)
+        self.assertLess((difference > 1).mean(), 0.01)
+        self.assertLess((difference ** 2).mean() ** 0.5, 2.0)
+        return found
+
+
+class TestTranslucency(PlotterTest):
+    def test_one_opacity(self):
+        self.plotter.add_mesh(pyvista.Sphere(), color="tan", opacity=0.4, smooth_shading=True)
+        self.plotter.add_mesh(pyvista.Cube(x_length=0.5), color="red", opacity=0.6, show_edges=False)
+        self.assert_exact(least_layers=4)
+
+    def test_opacity_follows_scalars(self):
+        for opacity in ("linear", "sigmoid_6", [0, 0.2, 0.9, 0.2, 0.1]):
+            with self.subTest(opacity=opacity):
+                plotter = self.make_plotter()
+                mesh = examples.load_random_hills()
+                plotter.add_mesh(mesh, scalars="Elevation", opacity=opacity, show_scalar_bar=False)
+                self.assert_exact(plotter)
+
+    def test_opacity_by_array(self):
+        mesh = pyvista.Sphere()
+        mesh["fade"] = numpy.linspace(0, 1, mesh.n_points)
+        mesh["height"] = mesh.points[:, 2]
+        self.plotter.add_mesh(mesh, scalars="height", opacity="fade", show_scalar_bar=False)
+        self.assert_exact()
+
+    def test_depth_peeling_is_not_needed(self):
+        centers = [(0, 0, 0), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)]
+        spheres = pyvista.merge([pyvista.Sphere(radius=1.5, center=center) for center in centers])
+        pictures = []
+        for number_of_peels in (None, 1):
+            plotter = self.make_plotter()
+            plotter.add_mesh(spheres, color="tan", opacity=0.5)
+            if number_of_peels:
+                plotter.enable_depth_peeling(number_of_peels)
+            pictures.append(self.assert_exact(plotter, least_layers=8))
+        numpy.testing.assert_array_equal(*pictures)
+
+    def test_glyphs(self):
+        points = pyvista.PolyData(numpy.random.default_rng(1).uniform(-1, 1, (60, 3)))
+        points["vectors"] = points.points[:, [1, 2, 0]]
+        arrows = points.glyph(orient="vectors", scale=False, factor=0.6)
+        self.plotter.add_mesh(arrows, color="lime", opacity=0.4)
+        self.assert_exact(least_layers=6)
+
+    def test_order_does_not_matter(self):
+        pictures = []
+        for colors in ((RED, BLUE), (BLUE, RED)):
+            plotter = self.make_plotter()
+            pellucid.install(plotter)
+            for color in colors:
+                plotter.add_mesh(
+                    pyvista.Plane(center=(0, 0, 0.1 if color == RED else 0)), color=color, opacity=0.5)
+            plotter.camera_position = "xy"
+            pictures.append(plotter.screenshot(return_img=True))
+        numpy.testing.assert_array_equal(*pictures)
+
+    def test_geometry_beside_a_volume(self):
+        self.plotter.add_mesh(pyvista.Sphere(center=(-2, 0, 0)), color="tan", opacity=0.5)
+        self.plotter.add_mesh(pyvista.Sphere(center=(-2, 0, 0), radius=0.3), color="red", opacity=0.5)
+        grid = pyvista.ImageData(dimensions=(10, 10, 10), spacing=(0.1, 0.1, 0.1), origin=(1, -0.5, -0.5))
+        grid["values"] = numpy.linspace(0, 1, grid.n_points)
+        self.plotter.add_volume(grid, show_scalar_bar=False)
+        self.plotter.camera_position = "xy"
+        transparency, = pellucid.install(self.plotter)
+        found = self.plotter.screenshot(return_img=True)[:, :, :3].astype(float)
+        self.assertGreaterEqual(transparency.GetStatistics().GetLongestList(), 4)
+        expected = 255 * pellucid.reference_picture(self.plotter.renderer)[:, :, :3]
+        difference = abs(found - expected).max(axis=2)
+        self.assertLess((difference[:, :100] > 1).mean(), 0.01)
+        self.assertGreater((difference[:, 100:] > 1).mean(), 0.05)
+
+    def test_windows_of_several_plots(self):
+        plotter = self.make_plotter(shape=(1, 2))
+        for column, color in enumerate((RED, BLUE)):
+            plotter.subplot(0, column)
+            plotter.add_mesh(pyvista.Sphere(), color=color, opacity=0.5)
+        passes = pellucid.install(plotter)
+        self.assertEqual(len(passes), 2)
+        plotter.screenshot(return_img=True)
+        for transparency in passes:
+            self.assertEqual(transparency.GetStatistics().GetLongestList(), 2)
+        pellucid.uninstall(plotter)
+
+    def test_antialiasing(self):
+        for technique in ("ssaa", "msaa", "fxaa"):
+            with self.subTest(technique=technique):
+                plotter = self.make_plotter()
+                plotter.enable_anti_aliasing(technique)
+                plotter.add_mesh(pyvista.Sphere(), color=RED, opacity=0.5, lighting=False)
+                pellucid.install(plotter)
+                picture = plotter.screenshot(return_img=True)
+                numpy.testing.assert_allclose(picture[80, 100], (255, 64, 64), atol=1)
+                numpy.testing.assert_array_equal(picture[0, 0], (255, 255, 255))
+
+    def test_transparent_background(self):
+        self.plotter.add_mesh(pyvista.Sphere(), color=RED, opacity=0.5, lighting=False)
+        pellucid.install(self.plotter)
+        picture = self.plotter.screenshot(transparent_background=True, return_img=True)
+        self.assertEqual(picture[0, 0, 3], 0)
+        # Of the white background a quarter remains in the colour, as VTK blends it.
+        numpy.testing.assert_allclose(picture[80, 100], (255, 64, 64, 191), atol=1)
+
+    def test_server_side_rendering_of_notebooks(self):
+        self.plotter.add_mesh(pyvista.Sphere(), color="tan", opacity=0.4)
+        found = self.assert_exact()
+        encoded = vtkWebApplication().StillRender(self.plotter.render_window)
+        sent = Image.open(io.BytesIO(base64.b64decode(bytes(encoded))))  # JPEG
+        self.assertLess(((numpy.asarray(sent, float) - found) ** 2).mean() ** 0.5, 2)
+
+
+class TestAddLines(PlotterTest):
+    def test_lines_are_exact_tubes(self):
+        actor = pellucid.add_lines(
+            self.plotter, crossing_lines(), radius=0.2, scalars="Height", cmap=["red", "blue"],
+            clim=(0, 1), opacity=0.5, show_scalar_bar=False)
+        self.plotter.camera_position = "xy"
+        self.assert_exact()
+        self.assertIsInstance(actor.GetMapper(), pellucid.vtkTrajectoryMapper)
+        self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 1))
+        self.assertIs(self.plotter.mapper, actor.GetMapper())
+
+    def test_arrays(self):
+        lines = [line.points for line in crossing_lines().split_bodies()]
+        pellucid.add_lines(
+            self.plotter, lines, radius=[0.1, 0.2, 0.3] * 2, scalars=numpy.arange(6), opacity=0.5,
+            show_scalar_bar=False)
+        self.assert_exact()
+
+    def test_composite_data(self):
+        blocks = pyvista.MultiBlock([crossing_lines(), crossing_lines().translate((0.3, 0.3, 0))])
+        pellucid.add_lines(self.plotter, blocks, radius=0.2, color="tomato", opacity=0.5)
+        self.assert_exact(least_layers=3)
+
+    def test_points(self):
+        cloud = numpy.random.default_rng(2).uniform(-1, 1, (200, 3))
+        pellucid.add_points(self.plotter, cloud, radius=0.2, color="gold", opacity=0.3)
+        self.assert_exact(least_layers=5)
+
+    def test_colors_of_directions(self):
+        lines = crossing_lines()
+        lines["Directions"] = numpy.array([(255, 0, 0)] * 3 + [(0, 255, 0)] * 3, numpy.uint8)
+        pellucid.add_lines(self.plotter, lines, radius=0.2, scalars="Directions", rgb=True)
+        self.plotter.camera_position = "xy"
+        picture = self.assert_exact(least_layers=0)
+        self.assertGreater(picture[80, 100, 0], picture[80, 100, 1])
+        self.assertFalse(self.plotter.scalar_bars)
+
+    def test_scalar_bar(self):
+        pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height", name="lines")
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Height"])
+        # Where another mesh takes the same bar, all have its range.
+        other = crossing_lines()
+        other["Height"] *= 3
+        actor = pellucid.add_lines(self.plotter, other, scalars="Height")
+        for shown in (actor, self.plotter.actors["lines"]):
+            self.assertEqual(shown.GetMapper().GetScalarRange(), (0, 3))
+        self.plotter.update_scalar_bar_range((0, 2))
+        self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 2))
+        self.plotter.remove_actor(actor)
+        self.plotter.remove_actor("lines")
+        self.assertFalse(self.plotter.scalar_bars)
+        pellucid.add_lines(
+            self.plotter, crossing_lines(), scalars="Height", scalar_bar_args={"title": "Above"})
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Above"])
+
+    def test_name_takes_the_place_of_an_actor(self):
+        for color in ("red", "blue"):
+            pellucid.add_lines(self.plotter, crossing_lines(), color=color, name="lines")
+        self.assertEqual(len(self.plotter.actors), 1)
+
+    def test_importance(self):
+        lines = crossing_lines()
+        for importance in ("Height", lines["Height"]):
+            plotter = self.make_plotter()
+            actor = pellucid.add_lines(
+                plotter, lines, radius=0.2, color="tomato", importance=importance, emphasis=1,
+                smoothing_iterations=0)
+            plotter.camera_position = "xy"
+            self.assert_exact(plotter)
+            opacities = pellucid.optimized_opacities(plotter.renderer, actor)
+            self.assertLess(numpy.nanmin(opacities), 0.1)
+
+    def test_wrong_arguments_change_nothing(self):
+        for error, message, wrong in (
+            (TypeError, "unknown parameter 'colour'; there are color,", {"colour": "red"}),
+            (TypeError, "unknown parameter 'line_width'", {"line_width": 2}),
+            (ValueError, "radius: expected 0 or more", {"radius": -1}),
+            (ValueError, "importance: there is no point array 'x'", {"importance": "x"}),
+            (ValueError, "color", {"color": "no such color"}),
+            (ValueError, "", {"cmap": "no such map", "scalars": "Height"}),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(error, message):
+                pellucid.add_lines(self.plotter, crossing_lines(), **wrong)
+        self.assertFalse(self.plotter.actors)
+        self.assertIsNone(pellucid.vtkTransparencyInstaller.GetPass(self.plotter.renderer))
+
+
+if __name__ == "__main__":
+    unittest.main()
