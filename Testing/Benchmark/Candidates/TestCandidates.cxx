@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Candidates that are exact by design show what the reference shows, of lines, surfaces and points
+// with opaque objects among them. Where a candidate is not exact it says so.
+#include "Candidates.h"
+#include "HelixScene.h"
+#include "LayerStack.h"
+
+#include "vtkCameraPass.h"
+#include "vtkCandidateListsPass.h"
+#include "vtkTestErrorObserver.h"
+
+namespace
+{
+using pellucid::Candidate;
+
+void SetPass(vtkRenderer* renderer, vtkCandidatePass* pass)
+{
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(pass);
+  renderer->SetPass(camera);
+}
+
+void AddMixedScene(SphereScene& scene)
+{
+  AddLines(scene, MakeLines(12, 60, 3), 0.04, 0.3);
+  scene.AddGlyphs();
+}
+
+bool TestMixedScene(const Candidate& candidate)
+{
+  SphereScene scene(201, 149, 0, 8, 2);
+  AddMixedScene(scene);
+  OpenGLDebugOutput debugOutput(scene.Window);
+  auto pass = candidate.MakePass();
+  SetPass(scene.Renderer, pass);
+  scene.Window->Render();
+  const ReferenceComparison comparison(scene.Window, scene.Renderer);
+  std::cout << pass->GetLossyPixels() << " lossy pixels; ";
+  if (pass->GetLossyPixels() > 0 || !candidate.IsExact)
+  {
+    std::cout << candidate.Name << ": RMSE " << comparison.GetRootMeanSquare() << ", "
+              << comparison.GetUnexplainedPixels() << " pixels differ" << std::endl;
+    return Check(!candidate.IsExact, candidate.Name + ": an exact candidate has lossy pixels");
+  }
+  bool passed = comparison.Passes(candidate.Name, 0.05);
+  passed &= Check(pass->GetFragments() > 0 && pass->GetBytes() > 0 && pass->GetLongestList() > 4,
+    candidate.Name + ": a figure is missing");
+  return passed;
+}
+
+/// The colour in the middle of a stack of layers, and what the pass says of it.
+bool TestLayers(
+  const std::string& name, vtkCandidatePass* pass, int layers, double opacity, bool isLossy)
+{
+  const LayerStack stack(layers, opacity);
+  SphereScene scene(3, 3, 0, 0, 0);
+  scene.Renderer->AddActor(stack.MakeActor(5));
+  LayerStack::SetCamera(scene.Renderer);
+  SetPass(scene.Renderer, pass);
+  const Picture shown = Picture::Render(scene.Window);
+  const auto expected = stack.GetColor({ 0.8 * 255.0, 0.6 * 255.0, 255.0 });
+  double largest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    largest = std::max(largest, std::abs(shown.GetPixel(1, 1)[i] - expected[i]));
+  }
+  const std::string what = name + " of " + std::to_string(layers) + " layers";
+  std::cout << what << ": error " << largest << ", " << pass->GetLossyPixels() << " lossy pixels"
+            << std::endl;
+  bool passed = Check(pass->GetFragments() == 9 * layers, what + ": fragments were not counted");
+  passed &=
+    Check(isLossy == (pass->GetLossyPixels() == 9), what + ": loss is not what was expected");
+  passed &= Check(isLossy || largest <= 1.0, what + ": the colour is wrong");
+  scene.Renderer->SetPass(nullptr);
+  pass->ReleaseGraphicsResources(scene.Window);
+  return passed;
+}
+
+/// Lists that are just not too long are exact; longer ones are reported.
+bool TestLongLists()
+{
+  bool passed = true;
+  for (int sort = vtkCandidateListsPass::SORT_INSERTION;
+       sort <= vtkCandidateListsPass::SORT_SELECTION; ++sort)
+  {
+    vtkNew<vtkCandidateListsPass> pass;
+    pass->SetSort(sort);
+    const std::string name = "sort " + std::to_string(sort);
+    const int length = pass->GetLargestExactList();
+    passed &= TestLayers(name, pass, length, 1e-3, false);
+    passed &=
+      TestLayers(name, pass, length + 1, 1e-3, sort != vtkCandidateListsPass::SORT_SELECTION);
+    passed &= TestLayers(name, pass, 8000, 1e-4, true);
+  }
+  return passed;
+}
+
+/// Stopping where something can still be seen is reported.
+bool TestThresholds()
+{
+  bool passed = true;
+  for (const double threshold : { vtkCandidatePass::ExactTransmittance, 1.0 / 255.0, 0.05 })
+  {
+    vtkNew<vtkCandidateListsPass> pass;
+    pass->SetNegligibleTransmittance(threshold);
+    passed &= TestLayers("stop at " + std::to_string(threshold), pass, 60, 0.2,
+      threshold > vtkCandidatePass::ExactTransmittance);
+  }
+  return passed;
+}
+
+bool TestTies()
+{
+  bool passed = true;
+  for (const Candidate& candidate : pellucid::GetCandidates())
+  {
+    if (candidate.Name.rfind("lists-", 0) != 0 || !candidate.IsExact)
+    {
+      continue;
+    }
+    SphereScene scene(100, 100, 0, 0, 0);
+    for (int i = 0; i < 3; ++i)
+    {
+      const LayerStack stack(4, 0.3 + 0.2 * i);
+      scene.Renderer->AddActor(stack.MakeActor(i));
+    }
+    LayerStack::SetCamera(scene.Renderer);
+    auto pass = candidate.MakePass();
+    SetPass(scene.Renderer, pass);
+    scene.Window->Render();
+    passed &= ReferenceComparison(scene.Window, scene.Renderer)
+                .Passes(candidate.Name + ", coincident surfaces");
+  }
+  return passed;
+}
+
+/// A multisampled window is refused, with the reason.
+bool TestMultisampling()
+{
+  SphereScene scene(30, 30, 4, 3, 0);
+  vtkNew<vtkCandidateListsPass> pass;
+  SetPass(scene.Renderer, pass);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  pass->AddObserver(vtkCommand::ErrorEvent, observer);
+  scene.Window->Render();
+  bool passed = Check(observer->CheckErrorMessage("use vtkRenderWindow::SetMultiSamples(0)") == 0,
+    "multisampling is not refused");
+  passed &= Check(pass->GetLossyPixels() == 900, "what is not drawn is not lossy");
+  return passed;
+}
+}
+
+int TestCandidates(int, char*[])
+{
+  bool passed = TestLongLists();
+  passed &= TestThresholds();
+  passed &= TestTies();
+  passed &= TestMultisampling();
+  for (const Candidate& candidate : pellucid::GetCandidates())
+  {
+    passed &= TestMixedScene(candidate);
+  }
+  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}
