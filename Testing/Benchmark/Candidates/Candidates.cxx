@@ -3,7 +3,9 @@
 
 #include "Candidates.h"
 
+#include "vtkCandidateKBufferPass.h"
 #include "vtkCandidateListsPass.h"
+#include "vtkCandidateMultiLayerPass.h"
 
 namespace pellucid
 {
@@ -88,6 +90,25 @@ void AddThresholds(std::vector<Candidate>& candidates)
       false, Make<Lists>([value](Lists* pass) { pass->SetNegligibleTransmittance(value); }) });
   }
 }
+
+//------------------------------------------------------------------------------
+void AddLayers(std::vector<Candidate>& candidates)
+{
+  for (const int layers : { 2, 4, 8, 16, 32 })
+  {
+    const std::string number = std::to_string(layers);
+    candidates.push_back({ "k-buffer-" + number,
+      "sorted geometry, the nearest of " + number + " entries is composited when they are full",
+      false, Make<vtkCandidateKBufferPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
+  }
+  for (const int layers : { 4, 8, 16 })
+  {
+    const std::string number = std::to_string(layers);
+    candidates.push_back({ "multi-layer-" + number,
+      "multi-layer alpha blending, the farthest of " + number + " layers are merged", false,
+      Make<vtkCandidateMultiLayerPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -97,6 +118,7 @@ std::vector<Candidate> GetCandidates()
   AddLists(candidates);
   AddFormats(candidates);
   AddThresholds(candidates);
+  AddLayers(candidates);
   return candidates;
 }
 }

@@ -157,12 +157,18 @@ void vtkCandidatePass::DrawProps(const vtkRenderState* state)
   this->DrawOffScreen(
     [&]
     {
-      for (int i = 0; i < state->GetPropArrayCount(); ++i)
+      for (vtkProp* prop : this->GetDrawnProps(state))
       {
-        this->DrawProp(state->GetRenderer(), state->GetPropArray()[i]);
+        this->DrawProp(state->GetRenderer(), prop);
       }
     });
   this->PostRender(state);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkCandidatePass::GetDrawnProps(const vtkRenderState* state)
+{
+  return { state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount() };
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +198,7 @@ bool vtkCandidatePass::PostReplaceShaderValues(
   vtkHookFragments(fragmentShader,
     this->GetDefinitions() + vtkCandidateDec + vtkFragmentColorDec + vtkOpaqueDepthDec +
       this->GetDeclarations() + this->GetStoreCode(),
-    "", "pellucidStore");
+    "", this->GetStoreFunction());
   return true;
 }
 

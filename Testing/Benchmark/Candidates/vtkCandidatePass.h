@@ -36,6 +36,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -114,11 +115,16 @@ protected:
   virtual void Define(vtkShaderDefinitions& definitions) = 0;
   /** Code of all its fragment shaders: its buffers. */
   virtual std::string GetDeclarations() = 0;
-  /** Code with `void pellucidStore(vec4 color, float depth)`, which takes a mapper's fragment. */
+  /** Code with `void pellucidStore(vec4 color, float depth)`, which takes a mapper's fragment; or
+   * with another function that the second names. */
   virtual std::string GetStoreCode() = 0;
+  virtual std::string GetStoreFunction() { return "pellucidStore"; }
   /** Uniforms of that. */
   virtual void SetStoreUniforms(vtkShaderProgram* vtkNotUsed(program)) {}
   ///@}
+
+  /** The props of a frame in the order in which they are drawn; that of the renderer. */
+  virtual std::vector<vtkProp*> GetDrawnProps(const vtkRenderState* state);
 
   /** Draw one prop, with the hooks in place. */
   virtual void DrawProp(vtkRenderer* renderer, vtkProp* prop);
