@@ -3,9 +3,12 @@
 
 #include "Candidates.h"
 
+#include "vtkCandidateDepthSlicesPass.h"
 #include "vtkCandidateKBufferPass.h"
 #include "vtkCandidateListsPass.h"
 #include "vtkCandidateMultiLayerPass.h"
+
+#include <iterator>
 
 namespace pellucid
 {
@@ -109,6 +112,27 @@ void AddLayers(std::vector<Candidate>& candidates)
       Make<vtkCandidateMultiLayerPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
   }
 }
+
+//------------------------------------------------------------------------------
+void AddDepthSlices(std::vector<Candidate>& candidates)
+{
+  std::vector<Threshold> thresholds = { { "1/8192", vtkCandidatePass::ExactTransmittance } };
+  thresholds.insert(thresholds.end(), std::begin(Thresholds), std::end(Thresholds));
+  for (const Threshold& threshold : thresholds)
+  {
+    const double value = threshold.Transmittance;
+    candidates.push_back({ std::string("depth-slices-") + threshold.Name,
+      std::string("k-buffer of 8, ten slices culled by opacity at a transmittance of ") +
+        threshold.Name,
+      false,
+      Make<vtkCandidateDepthSlicesPass>(
+        [value](auto* pass)
+        {
+          pass->SetLayers(8);
+          pass->SetNegligibleTransmittance(value);
+        }) });
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -119,6 +143,7 @@ std::vector<Candidate> GetCandidates()
   AddFormats(candidates);
   AddThresholds(candidates);
   AddLayers(candidates);
+  AddDepthSlices(candidates);
   return candidates;
 }
 }

@@ -8,6 +8,7 @@
 #include "LayerStack.h"
 
 #include "vtkCameraPass.h"
+#include "vtkCandidateDepthSlicesPass.h"
 #include "vtkCandidateKBufferPass.h"
 #include "vtkCandidateListsPass.h"
 #include "vtkCandidateMultiLayerPass.h"
@@ -146,6 +147,37 @@ bool TestKBuffers()
   return passed;
 }
 
+/// Slices draw less where much is hidden, and tell where that can be seen.
+bool TestDepthSlices()
+{
+  bool passed = true;
+  vtkIdType allFragments = 0;
+  for (const auto& [slices, threshold] :
+    { std::pair<int, double>{ 1, vtkCandidatePass::ExactTransmittance },
+      { 10, vtkCandidatePass::ExactTransmittance }, { 10, 0.05 } })
+  {
+    SphereScene scene(200, 150, 0, 0, 1);
+    AddLines(scene, MakeLines(300, 60, 3), 0.15, 0.9);
+    vtkNew<vtkCandidateDepthSlicesPass> pass;
+    pass->SetLayers(16);
+    pass->SetSlices(slices);
+    pass->SetNegligibleTransmittance(threshold);
+    SetPass(scene.Renderer, pass);
+    scene.Window->Render();
+    const ReferenceComparison comparison(scene.Window, scene.Renderer);
+    const std::string name = std::to_string(slices) + " slices to " + std::to_string(threshold);
+    std::cout << name << ": " << pass->GetFragments() << " fragments, " << pass->GetLossyPixels()
+              << " lossy pixels" << std::endl;
+    allFragments = slices == 1 ? pass->GetFragments() : allFragments;
+    passed &= Check(
+      slices == 1 || pass->GetFragments() < 0.95 * allFragments, name + ": nothing was culled");
+    passed &= threshold < 0.01 ? Check(pass->GetLossyPixels() == 0, name + ": pixels are lossy") &&
+        comparison.Passes(name, 0.05)
+                               : Check(pass->GetLossyPixels() > 0, name + ": no pixel is lossy");
+  }
+  return passed;
+}
+
 /// A renderer that draws the fragments of one pixel at the same time is refused.
 bool TestUnordered()
 {
@@ -206,6 +238,7 @@ int TestCandidates(int, char*[])
   passed &= TestThresholds();
   passed &= TestMultiLayers();
   passed &= TestKBuffers();
+  passed &= TestDepthSlices();
   passed &= TestUnordered();
   passed &= TestTies();
   passed &= TestMultisampling();
