@@ -22,9 +22,11 @@
 #include "vtkSMPTools.h"
 #include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
+#include "vtkTimerLog.h"
 #include "vtkTrajectoryMapper.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -171,21 +173,25 @@ void vtkCandidateKBufferPass::SetStoreUniforms(vtkShaderProgram* program)
 std::vector<vtkProp*> vtkCandidateKBufferPass::GetDrawnProps(const vtkRenderState* state)
 {
   const EyeDistance distance(state->GetRenderer()->GetActiveCamera());
-  const auto getDistance = [&](vtkProp* prop)
+  std::vector<std::pair<double, vtkProp*>> keys;
+  for (vtkProp* prop : this->Superclass::GetDrawnProps(state))
   {
     const double* bounds = prop->GetBounds();
-    return bounds && vtkMath::AreBoundsInitialized(bounds) ? distance.To(vtkBoundingBox(bounds))
-                                                           : 0.0;
-  };
-  std::vector<vtkProp*> props = this->Superclass::GetDrawnProps(state);
-  std::stable_sort(props.begin(), props.end(),
-    [&](vtkProp* a, vtkProp* b) { return getDistance(a) < getDistance(b); });
+    const bool hasBounds = bounds && vtkMath::AreBoundsInitialized(bounds);
+    keys.emplace_back(hasBounds ? distance.To(vtkBoundingBox(bounds)) : 0.0, prop);
+  }
+  std::stable_sort(
+    keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<vtkProp*> props;
+  std::transform(keys.begin(), keys.end(), std::back_inserter(props),
+    [](const auto& key) { return key.second; });
   return props;
 }
 
 //------------------------------------------------------------------------------
 const vtkTrajectoryNodes& vtkCandidateKBufferPass::GetNodes(vtkTrajectoryMapper* mapper)
 {
+  mapper->GetInputAlgorithm()->Update();
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
   const vtkMTimeType time = std::max(mapper->GetMTime(), data->GetMTime());
   MapperNodes& nodes = this->Nodes[mapper];
@@ -204,37 +210,55 @@ void vtkCandidateKBufferPass::DrawProp(vtkRenderer* renderer, vtkProp* prop)
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper =
     actor && actor->HasTranslucentPolygonalGeometry() ? actor->GetMapper() : nullptr;
-  auto* trajectories = vtkTrajectoryMapper::SafeDownCast(mapper);
-  auto* surfaces = vtkPolyDataMapper::SafeDownCast(mapper);
-  if (!trajectories)
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
   {
-    surfaces ? this->DrawCells(renderer, actor, surfaces)
-             : this->Superclass::DrawProp(renderer, prop);
-    return;
+    this->Superclass::DrawProp(renderer, prop);
   }
+  else if (auto* trajectories = vtkTrajectoryMapper::SafeDownCast(mapper))
+  {
+    this->DrawTrajectories(renderer, actor, trajectories);
+  }
+  else if (auto* surfaces = vtkPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->DrawCells(renderer, actor, surfaces);
+  }
+  else
+  {
+    this->Superclass::DrawProp(renderer, prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCandidateKBufferPass::DrawTrajectories(
+  vtkRenderer* renderer, vtkActor* actor, vtkTrajectoryMapper* mapper)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const vtkTrajectoryNodes& nodes = this->GetNodes(mapper);
+  const EyeDistance distance(renderer->GetActiveCamera());
+  const std::size_t leaves = nodes.GetLeaves().size();
   std::vector<std::uint32_t> order;
   int drawn = 0;
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
-    vtkStageTimers::Scope stage(this->Timers, "order");
-    const vtkTrajectoryNodes& nodes = this->GetNodes(trajectories);
-    const EyeDistance distance(renderer->GetActiveCamera());
-    const std::size_t leaves = nodes.GetLeaves().size();
-    for (std::size_t leaf = 0; leaf < leaves; ++leaf)
-    {
-      drawn = SortNodes(nodes, nodes.GetFirstNode(leaf), nodes.GetFirstNode(leaf + 1), distance,
-        actor->GetMatrix(), order);
-    }
-    // Of several leaves each has nodes that draw nothing.
-    drawn = leaves == 1 ? drawn : static_cast<int>(order.size());
-    const auto bytes = static_cast<vtkIdType>(order.size() * sizeof(order[0]));
-    if (order.empty() || !this->Reserve(OrderBinding, bytes))
-    {
-      return;
-    }
-    this->Buffers.Write(OrderBinding, bytes, order.data());
-    this->Buffers.Bind();
+    drawn = SortNodes(nodes, nodes.GetFirstNode(leaf), nodes.GetFirstNode(leaf + 1), distance,
+      actor->GetMatrix(), order);
   }
-  this->DrawNodes(renderer, prop, drawn);
+  const auto bytes = static_cast<vtkIdType>(order.size() * sizeof(order[0]));
+  if (order.empty() || !this->Reserve(OrderBinding, bytes))
+  {
+    return;
+  }
+  this->Buffers.Write(OrderBinding, bytes, order.data());
+  this->Buffers.Bind();
+  this->AddOrderTime(start);
+  // Of several leaves each has nodes that draw nothing.
+  this->DrawNodes(renderer, actor, leaves == 1 ? drawn : static_cast<int>(order.size()));
+}
+
+//------------------------------------------------------------------------------
+void vtkCandidateKBufferPass::AddOrderTime(double start)
+{
+  this->GetStatistics()->AddStage("order", 1e3 * (vtkTimerLog::GetUniversalTime() - start));
 }
 
 //------------------------------------------------------------------------------
@@ -255,6 +279,7 @@ void vtkCandidateKBufferPass::DrawSlice(vtkRenderer* renderer, vtkProp* prop, in
 void vtkCandidateKBufferPass::DrawCells(
   vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper)
 {
+  const double start = vtkTimerLog::GetUniversalTime();
   mapper->GetInputAlgorithm()->Update();
   vtkPolyData* input = mapper->GetInput();
   if (!input)
@@ -263,15 +288,13 @@ void vtkCandidateKBufferPass::DrawCells(
     return;
   }
   vtkNew<vtkDepthSortPolyData> sort;
-  {
-    vtkStageTimers::Scope stage(this->Timers, "order");
-    sort->SetInputData(input);
-    sort->SetDirectionToFrontToBack();
-    sort->SetDepthSortModeToBoundsCenter();
-    sort->SetCamera(renderer->GetActiveCamera());
-    sort->SetProp3D(actor);
-    sort->Update();
-  }
+  sort->SetInputData(input);
+  sort->SetDirectionToFrontToBack();
+  sort->SetDepthSortModeToBoundsCenter();
+  sort->SetCamera(renderer->GetActiveCamera());
+  sort->SetProp3D(actor);
+  sort->Update();
+  this->AddOrderTime(start);
   vtkAlgorithmOutput* connection = mapper->GetInputConnection(0, 0);
   const vtkSmartPointer<vtkAlgorithm> producer = connection->GetProducer();
   mapper->SetInputDataObject(sort->GetOutput());

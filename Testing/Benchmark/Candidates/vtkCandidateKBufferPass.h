@@ -8,8 +8,8 @@
  * 2021, sections 4.1 and 4.2. The segments of a vtkTrajectoryMapper are drawn front to back by the
  * least distance of their axis to the eye, the cells of other vtkPolyDataMappers by the middle of
  * their bounds, and the props by the least distance of their bounds. Sorting happens on the CPU in
- * every frame and is timed as stage `order`. Blocks of composite data are sorted each for itself;
- * what other mappers draw is not.
+ * every frame and is timed as stage `order`, a part of `gather`. Blocks of composite data are
+ * sorted each for itself; what other mappers draw is not.
  *
  * A pixel is exact where no fragment comes after more than k that are behind it. Fragments behind
  * what is opaque are dropped. Where the threshold of what is negligible lets them be seen, the
@@ -73,8 +73,13 @@ private:
   };
 
   const vtkTrajectoryNodes& GetNodes(vtkTrajectoryMapper* mapper);
+  void DrawTrajectories(vtkRenderer* renderer, vtkActor* actor, vtkTrajectoryMapper* mapper);
   void DrawCells(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper);
 
+  void AddOrderTime(double start);
+
+  /** Of a mapper that is gone, too: times do not repeat, so that another at its address has its
+   * own. */
   std::map<vtkTrajectoryMapper*, MapperNodes> Nodes;
   int Slice[2] = { 0, 0 };
 };

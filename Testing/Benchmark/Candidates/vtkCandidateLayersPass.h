@@ -68,7 +68,7 @@ private:
   void operator=(const vtkCandidateLayersPass&) = delete;
 
   int Layers = 4;
-  bool HasInterlock = false;
+  bool HasInterlock = false; ///< of the context of the last frame
 };
 
 VTK_ABI_NAMESPACE_END
