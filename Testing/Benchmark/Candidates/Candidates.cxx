@@ -63,7 +63,7 @@ void AddLists(std::vector<Candidate>& candidates)
 //------------------------------------------------------------------------------
 void AddFormats(std::vector<Candidate>& candidates)
 {
-  for (const int bytes : { Lists::COLOR_32_BITS, Lists::COLOR_128_BITS })
+  for (const Lists::Colors bytes : { Lists::COLOR_32_BITS, Lists::COLOR_128_BITS })
   {
     candidates.push_back({ "lists-" + std::to_string(bytes + 4) + "-bytes",
       "linked lists, quaternary heap, colours of " + std::to_string(8 * bytes) +

@@ -216,19 +216,37 @@ bool TestTies()
   return passed;
 }
 
-/// A multisampled window is refused, with the reason.
-bool TestMultisampling()
+/// The pass says why it draws the opaque scene alone, and all pixels are lossy.
+bool Refuses(SphereScene& scene, vtkCandidatePass* pass, const std::string& reason)
 {
-  SphereScene scene(30, 30, 4, 3, 0);
-  vtkNew<vtkCandidateListsPass> pass;
   SetPass(scene.Renderer, pass);
   vtkNew<vtkTest::ErrorObserver> observer;
   pass->AddObserver(vtkCommand::ErrorEvent, observer);
   scene.Window->Render();
-  bool passed = Check(observer->CheckErrorMessage("use vtkRenderWindow::SetMultiSamples(0)") == 0,
-    "multisampling is not refused");
-  passed &= Check(pass->GetLossyPixels() == 900, "what is not drawn is not lossy");
+  const int* size = scene.Window->GetSize();
+  bool passed = Check(observer->CheckErrorMessage(reason) == 0, "not refused: " + reason);
+  passed &= Check(pass->GetLossyPixels() == size[0] * size[1], "not lossy: " + reason);
   return passed;
+}
+
+bool TestMultisampling()
+{
+  SphereScene scene(30, 30, 4, 3, 0);
+  vtkNew<vtkCandidateListsPass> pass;
+  return Refuses(scene, pass, "use vtkRenderWindow::SetMultiSamples(0)");
+}
+
+bool TestTooManyLayers()
+{
+  SphereScene scene(900, 900, 0, 1, 0);
+  scene.Window->Render();
+  if (vtkCandidateBuffers::GetLargestBytes() >= 900 * 900 * 64 * 8)
+  {
+    return true;
+  }
+  vtkNew<vtkCandidateMultiLayerPass> pass;
+  pass->SetLayers(64);
+  return Refuses(scene, pass, "OpenGL has no room for a buffer of");
 }
 }
 
@@ -242,6 +260,7 @@ int TestCandidates(int, char*[])
   passed &= TestUnordered();
   passed &= TestTies();
   passed &= TestMultisampling();
+  passed &= TestTooManyLayers();
   for (const Candidate& candidate : pellucid::GetCandidates())
   {
     passed &= TestMixedScene(candidate);

@@ -68,7 +68,7 @@ void vtkCandidateListsPass::Define(vtkShaderDefinitions& definitions)
   definitions.Define("HEADS_BINDING", static_cast<int>(HeadsBinding));
   definitions.Define("LINKS_BINDING", static_cast<int>(LinksBinding));
   definitions.Define("COLORS_BINDING", static_cast<int>(ColorsBinding));
-  definitions.Define("COLOR_BYTES", this->ColorBytes);
+  definitions.Define("COLOR_BYTES", static_cast<int>(this->ColorBytes));
   definitions.Define("CONTIGUOUS", this->Contiguous ? 1 : 0);
   definitions.Define("TIED", TiedBit);
   definitions.Define("COUNTED_LENGTH", CountedLength);

@@ -53,8 +53,8 @@ public:
     COLOR_64_BITS = 8,  ///< the product's: 13 bits each, opacity 25
     COLOR_128_BITS = 16 ///< floats
   };
-  vtkSetMacro(ColorBytes, int);
-  vtkGetMacro(ColorBytes, int);
+  vtkSetMacro(ColorBytes, Colors);
+  vtkGetMacro(ColorBytes, Colors);
 
   ///@{
   /**
@@ -96,7 +96,7 @@ private:
   void Resolve();
 
   int Sort = SORT_HEAP;
-  int ColorBytes = COLOR_64_BITS;
+  Colors ColorBytes = COLOR_64_BITS;
   bool Contiguous = false;
   vtkIdType NodeCapacity = 0;
   bool Fills = false; ///< the second of the draws that fill arrays
