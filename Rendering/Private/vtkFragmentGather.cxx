@@ -5,6 +5,8 @@
 
 #include "Importance.h"
 #include "vtkFragmentAppendDec.h"
+#include "vtkFragmentColorDec.h"
+#include "vtkFragmentHook.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
@@ -24,18 +26,10 @@
 #include "vtkSurfaceImportanceVS.h"
 #include "vtkTangentDec.h"
 
-#include <regex>
-
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-// VTK's shader cache begins the shaders of mappers with version 150.
-constexpr const char* Extensions = "//VTK::System::Dec\n"
-                                   "#extension GL_ARB_shader_storage_buffer_object : require\n"
-                                   "#extension GL_ARB_shading_language_420pack : require\n"
-                                   "#extension GL_ARB_shader_bit_encoding : require\n";
-
 // Where importances join the positions that VTK passes from shader to shader.
 constexpr const char* PositionDeclarations = "//VTK::PositionVC::Dec";
 constexpr const char* PositionImplementation = "//VTK::PositionVC::Impl";
@@ -43,13 +37,6 @@ constexpr const char* PositionImplementation = "//VTK::PositionVC::Impl";
 bool PassesImportance(const std::string& shader)
 {
   return shader.find("pellucidPassImportance") != std::string::npos;
-}
-
-// Whether the shader assigns its depth; VTK's template names gl_FragDepth in a comment in any case.
-bool WritesDepth(const std::string& fragmentShader)
-{
-  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
-  return std::regex_search(fragmentShader, assignment);
 }
 }
 
@@ -135,20 +122,14 @@ void vtkFragmentGather::EditFragmentShader(const std::string& vertexShader,
   // Impostors have shaders without a place for it: their fragments are unimportant.
   const bool needsImportance = this->NeedsImportance(mapper) && PassesImportance(vertexShader) &&
     (geometryShader.empty() || PassesImportance(geometryShader));
-  const std::string depth = WritesDepth(fragmentShader) ? "gl_FragDepth" : "gl_FragCoord.z";
   const std::string declarations =
     vtkFragmentLists::GetShaderDefinitions(this->Samples, this->StoresImportance) +
-    vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkOpaqueDepthDec +
+    vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkFragmentColorDec +
+    vtkOpaqueDepthDec +
     (this->StoresImportance ? std::string(vtkFragmentImportanceDec) + vtkTangentDec : "") +
     vtkFragmentAppendDec + (needsImportance ? vtkSurfaceImportanceDec : "");
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec", Extensions, false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
-    "if (pellucidIsHidden(" + depth + ")) { discard; }\n", false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    std::string(needsImportance ? "pellucidSetImportance();\n" : "") +
-      "pellucidAppend(gl_FragData[0], " + depth + ");\n",
-    false);
+  vtkHookFragments(fragmentShader, declarations,
+    needsImportance ? "pellucidSetImportance();\n" : "", "pellucidAppend");
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "vtkExactTransparencyPass.h"
 #include "vtkFragmentAvoidFS.h"
 #include "vtkFragmentBlocksVS.h"
+#include "vtkFragmentColorDec.h"
 #include "vtkFragmentImportanceDec.h"
 #include "vtkFragmentLists.h"
 #include "vtkFragmentListsDec.h"
@@ -78,7 +79,8 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
   const auto whereStored = [this](const char* code) { return this->StoresImportance ? code : ""; };
   std::string source = fragmentShader;
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Definitions", definitions);
-  vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Pellucid::Lists", std::string(vtkFragmentListsDec) + vtkFragmentColorDec);
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::OpaqueDepth", vtkOpaqueDepthDec);
   vtkShaderProgram::Substitute(
     source, "//VTK::Pellucid::Importance", whereStored(vtkFragmentImportanceDec));

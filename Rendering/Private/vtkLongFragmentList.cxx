@@ -36,7 +36,7 @@ float ToFloat(std::uint32_t bits)
   return number;
 }
 
-// The inverse of pellucidPackColor in glsl/vtkFragmentListsDec.glsl.
+// The inverse of pellucidPackColor in glsl/vtkFragmentColorDec.glsl.
 Layer Unpack(const Color& color)
 {
   const float alpha = ToFloat((color.High >> 7) << 6);

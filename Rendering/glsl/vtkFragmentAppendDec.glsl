@@ -1,22 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gather: added to the fragment shader of every mapper, after vtkFragmentListsDec and vtkOpaqueDepthDec.
+// Gather: added to the fragment shader of every mapper, after vtkFragmentListsDec,
+// vtkFragmentColorDec and vtkOpaqueDepthDec.
 //
 // Reads: the opaque depth. Writes: one node, the head of its pixel, the flag of its block.
 
 uniform int pellucidNodeCapacity; // nodes 1..capacity may be written
-
-// Window depth as it is stored; NaN becomes 0
-float pellucidStoredDepth(float depth)
-{
-  return depth > 0.0 ? min(depth, 1.0) : 0.0;
-}
-
-bool pellucidIsHidden(float depth)
-{
-  return pellucidStoredDepth(depth) > pellucidFarthestOpaqueLimit(ivec2(gl_FragCoord.xy));
-}
 
 #if PELLUCID_OPTIMIZE
 uvec2 pellucidImportance = uvec2(0u); // of this fragment; of an actor that takes part, the mapper's code sets it

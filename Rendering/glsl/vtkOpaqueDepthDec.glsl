@@ -4,7 +4,8 @@
 // Depth of the opaque scene; the C++ side is vtkOpaqueLayer.
 // PELLUCID_SAMPLES is the number of samples of the target, 1 without multisampling.
 //
-// Reads: the copied depth. Declares: the farthest depth at which a fragment is still in front.
+// Reads: the copied depth. Declares: the farthest depth at which a fragment is still in front, and
+// whether the fragment is hidden.
 
 #if PELLUCID_SAMPLES > 1
 uniform sampler2DMS pellucidOpaqueDepth;
@@ -37,4 +38,15 @@ float pellucidFarthestOpaqueLimit(ivec2 windowPixel)
     limit = max(limit, pellucidOpaqueLimit(windowPixel, sampleIndex));
   }
   return limit;
+}
+
+// Window depth as it is stored; NaN becomes 0
+float pellucidStoredDepth(float depth)
+{
+  return depth > 0.0 ? min(depth, 1.0) : 0.0;
+}
+
+bool pellucidIsHidden(float depth)
+{
+  return pellucidStoredDepth(depth) > pellucidFarthestOpaqueLimit(ivec2(gl_FragCoord.xy));
 }

@@ -36,6 +36,8 @@ flat out vec3 afterVC;
 
 //VTK::NodeValue::Dec
 
+//VTK::DrawOrder::Dec
+
 //VTK::TrajectoryNodes::Dec
 
 //VTK::Exit::Dec
@@ -159,6 +161,8 @@ void main()
   endJointVC = vec3(0.0);
   beforeVC = vec3(0.0);
   afterVC = vec3(0.0);
+
+  //VTK::DrawOrder::Impl
 
   vec4 node1 = fetchNode(node);
   vec4 node0 = fetchNode(max(node - 1, 0));

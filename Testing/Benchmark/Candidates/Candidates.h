@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The candidate methods that the benchmark measures beside the product. */
+
+#ifndef Candidates_h
+#define Candidates_h
+
+#include "vtkCandidatePass.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pellucid
+{
+struct Candidate
+{
+  std::string Name;
+  std::string Description; ///< in one line
+  bool IsExact;            ///< by design; GetLossyPixels() tells of a frame
+  std::function<vtkSmartPointer<vtkCandidatePass>()> MakePass;
+};
+
+/** All candidates; those of one family follow each other. */
+std::vector<Candidate> GetCandidates();
+}
+
+#endif
