@@ -34,6 +34,11 @@ set(pellucid_vtk_components
 
 set(pellucid_vtk_optional_components WrappingPythonCore Python)
 if (BUILD_TESTING)
+  list(APPEND pellucid_vtk_components
+    ChartsCore
+    ImagingCore
+    ImagingGeneral
+    RenderingContextOpenGL2)
   list(APPEND pellucid_vtk_optional_components TestingRendering)
 endif ()
 

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   How time and memory grow with the number of fragments, and with that of segments.
+ */
+
+#ifndef Scaling_h
+#define Scaling_h
+
+#include "Measurement.h"
+
+#include <functional> // for the progress
+#include <string>     // for names
+#include <vector>     // for rows
+
+namespace pellucid
+{
+namespace benchmark
+{
+/** A method over scenes that differ in one number, which is "fragments" or "segments". */
+struct Series
+{
+  std::string Method;
+  std::string Over;
+  std::vector<Row> Rows;
+
+  /** Exponents b of the power laws a x^b that fit times and bytes best, in the sense of least
+   * squares of the logarithms; NaN where there are no two rows that tell. */
+  double TimeExponent = 0.0;
+  double MemoryExponent = 0.0;
+};
+
+struct ScalingLimits
+{
+  double Fragments = 1e8;
+  double Segments = 1e7;
+};
+
+/**
+ * Two series for each method, with about three sizes in each power of ten. Fragments, from about
+ * 1e5: 1000 lines in windows of growing size. Segments, from 1e3: the same lines at 320x240, in 1
+ * to 10,000 segments each, which leaves the picture and its fragments as they are. `tell` is called
+ * with the name of each step before it is drawn.
+ */
+std::vector<Series> MeasureScaling(const std::vector<Method>& methods,
+  const MeasurementSettings& settings, const ScalingLimits& limits,
+  const std::function<void(const std::string&)>& tell);
+
+/** The b of the power law a x^b that fits best; pairs with a number that is not positive do not
+ * count. NaN where fewer than two different x are left. */
+double FitExponent(const std::vector<double>& x, const std::vector<double>& y);
+}
+}
+
+#endif
