@@ -78,7 +78,8 @@ vtkSmartPointer<vtkTable> MakeTable(const Points& points)
 void AddPoints(vtkChartXY* chart, const Points& points, const vtkColor3ub& color, float markerSize,
   float lineWidth)
 {
-  auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  const int kind = points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS;
+  auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(kind));
   plot->SetInputData(MakeTable(points), "time", "error");
   plot->SetMarkerStyle(vtkPlotPoints::CIRCLE);
   plot->SetMarkerSize(markerSize);

@@ -23,6 +23,9 @@ namespace
 {
 constexpr double White = 255.0;
 
+// Of components, across an edge.
+constexpr double Step = 1.0;
+
 // Of the structural similarity.
 constexpr double WindowDeviation = 1.5;
 constexpr int WindowRadius = 5;
@@ -39,6 +42,13 @@ enum Moments
   XY,
   NumberOfMoments
 };
+
+//------------------------------------------------------------------------------
+auto GetPixels(vtkImageData* picture)
+{
+  return vtk::DataArrayTupleRange(
+    vtkDoubleArray::SafeDownCast(picture->GetPointData()->GetScalars()));
+}
 
 //------------------------------------------------------------------------------
 // ITU-R BT.601.
@@ -76,13 +86,32 @@ vtkSmartPointer<vtkImageData> AverageOverWindows(vtkImageData* moments)
 }
 
 //------------------------------------------------------------------------------
-double FindMeanSimilarity(vtkImageData* moments)
+vtkSmartPointer<vtkImageData> FindMoments(vtkImageData* shown, vtkImageData* expected)
 {
-  const auto averages = AverageOverWindows(moments);
-  const auto values = vtk::DataArrayTupleRange<NumberOfMoments>(
-    vtkDoubleArray::SafeDownCast(averages->GetPointData()->GetScalars()));
-  const int width = moments->GetDimensions()[0];
-  const int height = moments->GetDimensions()[1];
+  const auto found = vtk::DataArrayTupleRange(
+    vtkUnsignedCharArray::SafeDownCast(shown->GetPointData()->GetScalars()));
+  const auto wanted = GetPixels(expected);
+  auto moments = vtkSmartPointer<vtkImageData>::New();
+  moments->SetDimensions(shown->GetDimensions());
+  moments->AllocateScalars(VTK_DOUBLE, NumberOfMoments);
+  auto products = GetPixels(moments);
+  for (vtkIdType pixel = 0; pixel < found.size(); ++pixel)
+  {
+    const double x = GetLuminance(found[pixel]);
+    const double y = White * GetLuminance(wanted[pixel]);
+    const double values[NumberOfMoments] = { x, y, x * x, y * y, x * y };
+    std::copy(values, values + NumberOfMoments, products[pixel].begin());
+  }
+  return moments;
+}
+
+//------------------------------------------------------------------------------
+double FindMeanSimilarity(vtkImageData* shown, vtkImageData* expected)
+{
+  const auto averages = AverageOverWindows(FindMoments(shown, expected));
+  const auto values = GetPixels(averages);
+  const int width = shown->GetDimensions()[0];
+  const int height = shown->GetDimensions()[1];
   double sum = 0.0;
   vtkIdType windows = 0;
   for (int y = WindowRadius; y < height - WindowRadius; ++y)
@@ -97,37 +126,56 @@ double FindMeanSimilarity(vtkImageData* moments)
 }
 
 //------------------------------------------------------------------------------
-PictureError FindPictureError(vtkImageData* shown, vtkImageData* expected)
+ExpectedPicture::ExpectedPicture(vtkSmartPointer<vtkImageData> picture)
+  : Picture(std::move(picture))
+  , Edges(this->Picture->GetNumberOfPoints(), false)
+{
+}
+
+//------------------------------------------------------------------------------
+void ExpectedPicture::AddDisplaced(vtkImageData* displaced)
+{
+  const auto pixels = GetPixels(this->Picture);
+  const auto others = GetPixels(displaced);
+  for (vtkIdType pixel = 0; pixel < pixels.size(); ++pixel)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (White * std::abs(others[pixel][i] - pixels[pixel][i]) > Step)
+      {
+        this->Edges[pixel] = true;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expected)
 {
   const auto found = vtk::DataArrayTupleRange(
     vtkUnsignedCharArray::SafeDownCast(shown->GetPointData()->GetScalars()));
-  const auto wanted =
-    vtk::DataArrayTupleRange(vtkDoubleArray::SafeDownCast(expected->GetPointData()->GetScalars()));
-  vtkNew<vtkImageData> moments;
-  moments->SetDimensions(shown->GetDimensions());
-  moments->AllocateScalars(VTK_DOUBLE, NumberOfMoments);
-  auto products = vtk::DataArrayTupleRange<NumberOfMoments>(
-    vtkDoubleArray::SafeDownCast(moments->GetPointData()->GetScalars()));
-
+  const auto wanted = GetPixels(expected.GetPicture());
   PictureError error;
   double squares = 0.0;
   for (vtkIdType pixel = 0; pixel < found.size(); ++pixel)
   {
+    if (expected.IsEdge(pixel))
+    {
+      ++error.EdgePixels;
+      continue;
+    }
     for (int i = 0; i < 3; ++i)
     {
       const double value = White * wanted[pixel][i];
       const double difference = found[pixel][i] - value;
       squares += difference * difference;
-      error.Maximum = std::max(error.Maximum, std::abs(found[pixel][i] - std::floor(value + 0.5)));
+      error.Maximum = std::max(error.Maximum, std::abs(found[pixel][i] - std::round(value)));
     }
-    const double x = GetLuminance(found[pixel]);
-    const double y = White * GetLuminance(wanted[pixel]);
-    const double values[NumberOfMoments] = { x, y, x * x, y * y, x * y };
-    std::copy(values, values + NumberOfMoments, products[pixel].begin());
   }
-  error.RootMeanSquare = std::sqrt(squares / (3.0 * found.size()));
+  const vtkIdType measured = found.size() - error.EdgePixels;
+  error.RootMeanSquare = measured > 0 ? std::sqrt(squares / (3.0 * measured)) : 0.0;
   error.PeakSignalToNoise = 20.0 * std::log10(White / error.RootMeanSquare);
-  error.StructuralSimilarity = FindMeanSimilarity(moments);
+  error.StructuralSimilarity = FindMeanSimilarity(shown, expected.GetPicture());
   return error;
 }
 }

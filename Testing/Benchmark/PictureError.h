@@ -8,16 +8,45 @@
 #ifndef PictureError_h
 #define PictureError_h
 
-class vtkImageData;
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector> // for edges
 
 namespace pellucid
 {
 namespace benchmark
 {
+/**
+ * A picture as it should be, RGB or RGBA of double in [0,1].
+ *
+ * Where the edge of a surface runs through the centre of a pixel, to within what a rasteriser
+ * resolves, both sides of it are right. Such edge pixels are those that change by more than a step
+ * of 8 bits where the picture is displaced by that small part of a pixel; no method is measured by
+ * them.
+ */
+class ExpectedPicture
+{
+public:
+  explicit ExpectedPicture(vtkSmartPointer<vtkImageData> picture);
+
+  /** Take into account the same picture, displaced. */
+  void AddDisplaced(vtkImageData* displaced);
+
+  vtkImageData* GetPicture() const { return this->Picture; }
+  bool IsEdge(vtkIdType pixel) const { return this->Edges[pixel]; }
+
+private:
+  vtkSmartPointer<vtkImageData> Picture;
+  std::vector<bool> Edges;
+};
+
 /** Differences of colours, in steps of 8 bits where there is no other unit. */
 struct PictureError
 {
-  /** Root of the mean square over all pixels and components; rounding alone gives 0.29. */
+  /** Root of the mean square over all components of pixels that are no edges; rounding gives 0.29.
+   */
   double RootMeanSquare = 0.0;
 
   /** Largest difference of a component to what the expected picture is when rounded. */
@@ -31,16 +60,19 @@ struct PictureError
    * pixels, weighted by a Gaussian with standard deviation 1.5 (Z. Wang, A. C. Bovik, H. R. Sheikh
    * and E. P. Simoncelli, Image Quality Assessment: From Error Visibility to Structural Similarity,
    * 2004, eqs. 13 to 17, K1 = 0.01, K2 = 0.03). Only windows inside the picture count; NaN where it
-   * is smaller.
+   * is smaller. Edge pixels are compared with the expected picture as it is.
    */
   double StructuralSimilarity = 0.0;
+
+  /** Pixels that are not measured. */
+  vtkIdType EdgePixels = 0;
 };
 
 /**
- * Compare `shown`, 3 or more components of unsigned char, with `expected`, 3 or more of double in
- * [0,1], of the same dimensions. Only the first 3 components count.
+ * Compare `shown`, 3 or more components of unsigned char, with a picture of the same dimensions.
+ * Only the first 3 components count.
  */
-PictureError FindPictureError(vtkImageData* shown, vtkImageData* expected);
+PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expected);
 }
 }
 

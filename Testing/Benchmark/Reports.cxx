@@ -58,6 +58,7 @@ Json ToJson(const Row& row)
     { "max_error", error ? Json(error->Maximum) : Json() },
     { "psnr", error ? Json(error->PeakSignalToNoise) : Json() },
     { "ssim", error ? Json(error->StructuralSimilarity) : Json() },
+    { "edge_pixels", error ? Json(error->EdgePixels) : Json() },
     { "on_front", row.IsOnFront },
   };
 }
