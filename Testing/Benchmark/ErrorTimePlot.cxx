@@ -127,7 +127,7 @@ void FillPanel(vtkChartXY* chart, const std::vector<const Row*>& rows)
   {
     const vtkVector2d point = GetPoint(*row);
     all.push_back(point);
-    if (row->IsOnFront && !row->HasOptimizedOpacities)
+    if (row->IsOnFront)
     {
       front.push_back(point);
     }

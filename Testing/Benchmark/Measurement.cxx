@@ -4,6 +4,7 @@
 #include "Measurement.h"
 
 #include "PictureWindow.h"
+#include "Statistics.h"
 
 #include "vtkCamera.h"
 #include "vtkExactTransparencyPass.h"

@@ -4,8 +4,10 @@
 #include "Row.h"
 
 #include "ParetoFront.h"
+#include "Statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -17,17 +19,6 @@ namespace benchmark
 namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-}
-
-//------------------------------------------------------------------------------
-double FindMedian(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return NotANumber;
-  }
-  std::sort(values.begin(), values.end());
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
 //------------------------------------------------------------------------------
@@ -53,18 +44,21 @@ double Row::GetMaximum() const
 //------------------------------------------------------------------------------
 void MarkFronts(std::vector<Row>& rows)
 {
-  std::map<std::tuple<std::string, int, int, double, bool>, std::vector<Row*>> groups;
+  std::map<std::tuple<std::string, int, int, double>, std::vector<Row*>> groups;
   for (Row& row : rows)
   {
-    groups[{ row.Scene, row.Width, row.Height, row.Opacity, row.HasOptimizedOpacities }].push_back(
-      &row);
+    if (!row.HasOptimizedOpacities)
+    {
+      groups[{ row.Scene, row.Width, row.Height, row.Opacity }].push_back(&row);
+    }
   }
   for (const auto& [key, group] : groups)
   {
     std::vector<Cost> costs;
     for (const Row* row : group)
     {
-      costs.push_back({ row->GetMedian(), row->Error ? row->Error->RootMeanSquare : NotANumber });
+      const double error = row->Error ? row->Error->RootMeanSquare : NotANumber;
+      costs.push_back({ row->GetMedian(), std::round(100.0 * error) });
     }
     const std::vector<bool> isOnFront = FindParetoFront(costs);
     for (std::size_t i = 0; i < group.size(); ++i)

@@ -45,11 +45,11 @@ struct Row
   double GetMaximum() const;
 };
 
-/** The middle one, or the mean of the two in the middle; NaN of none. */
-double FindMedian(std::vector<double> values);
-
-/** Find the Pareto front of each scene: rows that have the same size, opacity and kind of
- * opacities. */
+/**
+ * Find the Pareto front of the methods for each scene, size and opacity. Errors (RMSE) that are the
+ * same when rounded to 1/100 of a step count as the same; optimised opacities make another picture,
+ * which is no choice.
+ */
 void MarkFronts(std::vector<Row>& rows);
 }
 }

@@ -3,8 +3,9 @@
 
 #include "Scaling.h"
 
+#include "Statistics.h"
+
 #include <cmath>
-#include <limits>
 
 namespace pellucid
 {
@@ -99,32 +100,6 @@ void Fit(Series& series)
   series.TimeExponent = FitExponent(sizes, times);
   series.MemoryExponent = FitExponent(sizes, bytes);
 }
-}
-
-//------------------------------------------------------------------------------
-double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
-{
-  double count = 0.0;
-  double sumX = 0.0;
-  double sumY = 0.0;
-  double sumXX = 0.0;
-  double sumXY = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    if (x[i] > 0.0 && y[i] > 0.0)
-    {
-      const double logX = std::log(x[i]);
-      const double logY = std::log(y[i]);
-      count += 1.0;
-      sumX += logX;
-      sumY += logY;
-      sumXX += logX * logX;
-      sumXY += logX * logY;
-    }
-  }
-  const double spread = count * sumXX - sumX * sumX;
-  return spread > 1e-9 * sumXX ? (count * sumXY - sumX * sumY) / spread
-                               : std::numeric_limits<double>::quiet_NaN();
 }
 
 //------------------------------------------------------------------------------

@@ -46,10 +46,6 @@ struct ScalingLimits
 std::vector<Series> MeasureScaling(const std::vector<Method>& methods,
   const MeasurementSettings& settings, const ScalingLimits& limits,
   const std::function<void(const std::string&)>& tell);
-
-/** The b of the power law a x^b that fits best; pairs with a number that is not positive do not
- * count. NaN where fewer than two different x are left. */
-double FitExponent(const std::vector<double>& x, const std::vector<double>& y);
 }
 }
 
