@@ -13,16 +13,19 @@ namespace benchmark
 {
 namespace
 {
-constexpr int Lines = 1000;
-constexpr int LineSegments = 99;
-constexpr std::array<int, 2> SegmentWindow = { 320, 240 };
-
 // Three sizes in each power of ten.
 const double Step = std::cbrt(10.0);
 
-// What 1000 lines make at 320x240, about; windows of other sizes follow from it.
-constexpr double FragmentsOfSegmentWindow = 1.3e5;
+// Over fragments: what the lines make at the aspect of the windows, about.
+constexpr int ManyLines = 5000;
+constexpr int SegmentsPerLine = 99;
+constexpr double FragmentsPerPixel = 3.4;
+constexpr double Aspect = 4.0 / 3.0;
 constexpr double FewestFragments = 1e5;
+
+// Over segments.
+constexpr int FewLines = 1000;
+constexpr std::array<int, 2> Window = { 320, 240 };
 
 //------------------------------------------------------------------------------
 void Append(std::vector<Series>& series, const std::vector<Row>& rows)
@@ -49,14 +52,12 @@ std::vector<Series> MeasureFragments(const std::vector<Method>& methods,
   MeasurementSettings settings, double limit, const std::function<void(const std::string&)>& tell)
 {
   auto series = Begin(methods, "fragments");
-  Scene scene = MakeABCFlow("abc-1000", Lines, LineSegments);
+  Scene scene = MakeABCFlow("abc-" + std::to_string(ManyLines), ManyLines, SegmentsPerLine);
   for (double wanted = FewestFragments; wanted <= 1.001 * limit; wanted *= Step)
   {
-    const double scale = std::sqrt(wanted / FragmentsOfSegmentWindow);
-    for (int i = 0; i < 2; ++i)
-    {
-      settings.Size[i] = static_cast<int>(std::lround(scale * SegmentWindow[i]));
-    }
+    const double height = std::sqrt(wanted / FragmentsPerPixel / Aspect);
+    settings.Size = { static_cast<int>(std::lround(Aspect * height)),
+      static_cast<int>(std::lround(height)) };
     tell("scaling, " + std::to_string(settings.Size[0]) + "x" + std::to_string(settings.Size[1]));
     Append(series, Measure(scene, methods, settings));
   }
@@ -68,12 +69,12 @@ std::vector<Series> MeasureSegments(const std::vector<Method>& methods,
   MeasurementSettings settings, double limit, const std::function<void(const std::string&)>& tell)
 {
   auto series = Begin(methods, "segments");
-  settings.Size = SegmentWindow;
-  for (double perLine = 1.0; Lines * perLine <= 1.001 * limit; perLine *= Step)
+  settings.Size = Window;
+  for (double perLine = 1.0; FewLines * perLine <= 1.001 * limit; perLine *= Step)
   {
     const int segments = static_cast<int>(std::lround(perLine));
-    tell("scaling, " + std::to_string(Lines * segments) + " segments");
-    Scene scene = MakeABCFlow("abc-1000-of-" + std::to_string(segments), Lines, segments);
+    tell("scaling, " + std::to_string(FewLines * segments) + " segments");
+    Scene scene = MakeABCFlow("abc-1000-of-" + std::to_string(segments), FewLines, segments);
     Append(series, Measure(scene, methods, settings));
   }
   return series;

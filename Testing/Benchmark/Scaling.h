@@ -38,10 +38,10 @@ struct ScalingLimits
 };
 
 /**
- * Two series for each method, with about three sizes in each power of ten. Fragments, from about
- * 1e5: 1000 lines in windows of growing size. Segments, from 1e3: the same lines at 320x240, in 1
- * to 10,000 segments each, which leaves the picture and its fragments as they are. `tell` is called
- * with the name of each step before it is drawn.
+ * Two series for each method, with three sizes in each power of ten. Fragments, from about 1e5:
+ * 5000 lines in windows of growing size, so that lists keep their lengths. Segments, from 1e3: 1000
+ * lines at 320x240, in 1 to 10,000 segments each, so that the picture and its fragments stay as
+ * they are. `tell` is called with the name of each step before it is drawn.
  */
 std::vector<Series> MeasureScaling(const std::vector<Method>& methods,
   const MeasurementSettings& settings, const ScalingLimits& limits,
