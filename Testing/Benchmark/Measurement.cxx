@@ -21,7 +21,7 @@ namespace benchmark
 {
 namespace
 {
-// Pixels to either side of an edge of a surface that may show any side of it. OpenGL places
+// Pixels, to either side of an edge of a surface, that may show any side of it. OpenGL places
 // vertices on a grid of 1/256 pixel or finer.
 constexpr double EdgeWidth = 1.0 / 256.0;
 

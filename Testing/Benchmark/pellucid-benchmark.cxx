@@ -39,8 +39,8 @@ Machine DescribeMachine()
   vtksys::SystemInformation system;
   system.RunCPUCheck();
   return { window.GetProperty("OpenGL renderer string"),
-    window.GetProperty("OpenGL version string"), vtkVersion::GetVTKVersion(),
-    system.GetExtendedProcessorName(), static_cast<int>(std::thread::hardware_concurrency()) };
+    window.GetProperty("OpenGL version string"), vtkVersion::GetVTKVersion(), system.GetModelName(),
+    static_cast<int>(std::thread::hardware_concurrency()) };
 }
 
 //------------------------------------------------------------------------------
