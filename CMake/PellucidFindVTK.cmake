@@ -34,7 +34,12 @@ set(pellucid_vtk_components
 
 set(pellucid_vtk_optional_components WrappingPythonCore Python)
 if (BUILD_TESTING)
-  list(APPEND pellucid_vtk_components FiltersHybrid)
+  list(APPEND pellucid_vtk_components
+    ChartsCore
+    FiltersHybrid
+    ImagingCore
+    ImagingGeneral
+    RenderingContextOpenGL2)
   list(APPEND pellucid_vtk_optional_components TestingRendering)
 endif ()
 

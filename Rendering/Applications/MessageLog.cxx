@@ -93,7 +93,7 @@ void MessageLog::PrintWarnings()
 {
   for (const std::string& warning : this->Warnings)
   {
-    std::cerr << "pellucid-render: warning: " << MakePrintable(warning) << "\n";
+    std::cerr << PELLUCID_PROGRAM ": warning: " << MakePrintable(warning) << "\n";
   }
   this->Clear();
 }

@@ -76,10 +76,11 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
     methods = { Method::Pellucid, isStock ? options.RenderMethod : Method::VTK };
   }
 
-  PictureWindow window(options.Size);
+  PictureWindow window(options.Size, "--reference, which needs none");
   if (methods.front() == Method::Pellucid)
   {
-    window.CheckExactTransparency();
+    window.CheckExactTransparency(
+      "--reference draws without OpenGL, --method vtk without exactness");
   }
   const auto count = static_cast<double>(methods.size());
   const double aspect = options.Size[0] / count / options.Size[1];

@@ -30,12 +30,13 @@ public:
 }
 
 //------------------------------------------------------------------------------
-PictureWindow::PictureWindow(const std::array<int, 2>& size)
+PictureWindow::PictureWindow(const std::array<int, 2>& size, const std::string& alternative)
 {
+  const std::string advice = alternative.empty() ? "" : ", or use " + alternative;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
   if (!window)
   {
-    throw RenderError("this VTK has no OpenGL window; --reference draws without one");
+    throw RenderError("this VTK has no OpenGL window; use another VTK" + advice);
   }
   window->OffScreenRenderingOn();
   window->SetMultiSamples(0);
@@ -49,7 +50,7 @@ PictureWindow::PictureWindow(const std::array<int, 2>& size)
   catch (const RenderError& error)
   {
     throw RenderError(std::string("no OpenGL window could be opened (") + error.what() +
-      "); run under Xvfb, for example by xvfb-run, or use --reference, which needs none");
+      "); run under Xvfb, for example by xvfb-run" + advice);
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
   if (std::max(size[0], size[1]) > limit)
@@ -64,13 +65,12 @@ PictureWindow::PictureWindow(const std::array<int, 2>& size)
 }
 
 //------------------------------------------------------------------------------
-void PictureWindow::CheckExactTransparency()
+void PictureWindow::CheckExactTransparency(const std::string& alternative)
 {
   const std::string reason = vtkExactTransparencyPass::GetReasonUnsupported(this->Window);
   if (!reason.empty())
   {
-    throw RenderError(
-      reason + "; --reference draws without OpenGL, --method vtk without exactness");
+    throw RenderError(reason + (alternative.empty() ? "" : "; " + alternative));
   }
 }
 

@@ -23,11 +23,12 @@ namespace pellucid
 class PictureWindow
 {
 public:
-  /** Open the window; throw RenderError without a display or OpenGL, or beyond OpenGL's limits. */
-  explicit PictureWindow(const std::array<int, 2>& size);
+  /** Open the window; throw RenderError without a display or OpenGL, or beyond OpenGL's limits.
+   * `alternative` is what the user can take instead, for the message; also below. */
+  explicit PictureWindow(const std::array<int, 2>& size, const std::string& alternative = "");
 
   /** Throw RenderError, saying what was found and is needed, if the exact pass cannot run. */
-  void CheckExactTransparency();
+  void CheckExactTransparency(const std::string& alternative = "");
 
   /** Draw a frame; throw RenderError when OpenGL reports an error. Milliseconds that it took. */
   double Render();

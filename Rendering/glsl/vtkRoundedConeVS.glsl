@@ -14,6 +14,7 @@
 
 uniform mat4 VCDCMatrix;
 uniform mat4 DCVCMatrix;
+uniform mat4 pixelVCMatrix;  // window coordinates to VC
 uniform vec4 frustumVC[6];  // inward planes, unit normals
 uniform float perspective;  // 1, or 0 for parallel projection
 
@@ -45,6 +46,12 @@ flat out vec3 afterVC;
 //VTK::Picking::Dec
 
 const float WHOLE_VIEW = 0.05;  // an eye nearer than this to the surface, in radii, gets a full quad
+
+// How far a quad reaches beyond the outline, where it would end with that of the next segment: in
+// radii, for rounding; in pixels, for the grid of 1/256 pixel that vertices are moved to.
+const float MARGIN = 0.001;
+const float MARGIN_PIXELS = 0.01;
+
 const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1e30);
 
 float cross2(vec2 a, vec2 b)
@@ -302,8 +309,11 @@ void main()
     return;
   }
   vec2 sides = vec2(min(extent1.x, extent2.x), max(extent1.y, extent2.y));
-  vec2 widths = trapezoid(extent1, extent2, sides) * 1.001;
-  sides += vec2(-0.001, 0.001) * max(extent1.z, extent2.z);
+  float eyeToPixels = perspective > 0.5 ? -pixelVCMatrix[3].z : 1.0;
+  float margin = MARGIN * max(extent1.z, extent2.z) +
+    MARGIN_PIXELS * max(length(pixelVCMatrix[0].xyz), length(pixelVCMatrix[1].xyz)) / eyeToPixels;
+  vec2 widths = trapezoid(extent1, extent2, sides) + margin;
+  sides += vec2(-margin, margin);
   float along = mix(sides.x, sides.y, corner.x) * planeDistance - foot;
   float aside = mix(widths.x, widths.y, corner.x) * planeDistance * (2.0 * corner.y - 1.0);
   quadLC = vec3(across * along, aside);

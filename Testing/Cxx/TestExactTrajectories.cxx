@@ -96,6 +96,20 @@ bool TestDenseJoints()
   return passed;
 }
 
+// Tubes thinner than a pixel, of segments shorter than a pixel, have no gaps at their joints.
+bool TestThinTubes()
+{
+  SphereScene scene(200, 150, 0, 0, 0);
+  AddLines(scene, MakeLines(60, 600, 0), 0.008, 0.4);
+  bool passed = true;
+  for (int view = 0; view < 4; ++view)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(3.0);
+    passed &= Compare(scene, "thin tubes, view " + std::to_string(view));
+  }
+  return passed;
+}
+
 bool TestClippingPlanes()
 {
   SphereScene scene(320, 240, 0, 0, 0);
@@ -177,6 +191,7 @@ int TestExactTrajectories(int, char*[])
   passed &= TestParallelProjection();
   passed &= TestEyeInsideATube();
   passed &= TestDenseJoints();
+  passed &= TestThinTubes();
   passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
   passed &= TestOnePixel();

@@ -46,10 +46,10 @@ void AddLists(std::vector<Candidate>& candidates)
       { "selection-16", "repeated selection of the 16 nearest", Lists::SORT_SELECTION } })
   {
     const int kind = sort.Sort;
-    candidates.push_back(
-      { std::string("lists-") + sort.Name, std::string("linked lists, ") + sort.Description, true,
-        Make<Lists>([kind](Lists* pass) { pass->SetSort(kind); }) });
-    candidates.push_back({ std::string("count-and-fill-") + sort.Name,
+    candidates.push_back({ std::string("lists-") + sort.Name, "lists",
+      std::string("linked lists, ") + sort.Description, true,
+      Make<Lists>([kind](Lists* pass) { pass->SetSort(kind); }) });
+    candidates.push_back({ std::string("count-and-fill-") + sort.Name, "count-and-fill",
       std::string("arrays filled in a second draw, ") + sort.Description, true,
       Make<Lists>(
         [kind](Lists* pass)
@@ -65,7 +65,7 @@ void AddFormats(std::vector<Candidate>& candidates)
 {
   for (const Lists::Colors bytes : { Lists::COLOR_32_BITS, Lists::COLOR_128_BITS })
   {
-    candidates.push_back({ "lists-" + std::to_string(bytes + 4) + "-bytes",
+    candidates.push_back({ "lists-" + std::to_string(bytes + 4) + "-bytes", "lists",
       "linked lists, quaternary heap, colours of " + std::to_string(8 * bytes) +
         " bits instead of 64",
       bytes != Lists::COLOR_32_BITS,
@@ -88,7 +88,7 @@ void AddThresholds(std::vector<Candidate>& candidates)
   for (const Threshold& threshold : Thresholds)
   {
     const double value = threshold.Transmittance;
-    candidates.push_back({ std::string("lists-stop-") + threshold.Name,
+    candidates.push_back({ std::string("lists-stop-") + threshold.Name, "lists-stop",
       std::string("linked lists, quaternary heap, stops at a transmittance of ") + threshold.Name,
       false, Make<Lists>([value](Lists* pass) { pass->SetNegligibleTransmittance(value); }) });
   }
@@ -100,14 +100,14 @@ void AddLayers(std::vector<Candidate>& candidates)
   for (const int layers : { 2, 4, 8, 16, 32 })
   {
     const std::string number = std::to_string(layers);
-    candidates.push_back({ "k-buffer-" + number,
+    candidates.push_back({ "k-buffer-" + number, "k-buffer",
       "sorted geometry, the nearest of " + number + " entries is composited when they are full",
       false, Make<vtkCandidateKBufferPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
   }
   for (const int layers : { 4, 8, 16 })
   {
     const std::string number = std::to_string(layers);
-    candidates.push_back({ "multi-layer-" + number,
+    candidates.push_back({ "multi-layer-" + number, "multi-layer",
       "multi-layer alpha blending, the farthest of " + number + " layers are merged", false,
       Make<vtkCandidateMultiLayerPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
   }
@@ -121,7 +121,7 @@ void AddDepthSlices(std::vector<Candidate>& candidates)
   for (const Threshold& threshold : thresholds)
   {
     const double value = threshold.Transmittance;
-    candidates.push_back({ std::string("depth-slices-") + threshold.Name,
+    candidates.push_back({ std::string("depth-slices-") + threshold.Name, "depth-slices",
       std::string("k-buffer of 8, ten slices culled by opacity at a transmittance of ") +
         threshold.Name,
       false,

@@ -17,6 +17,7 @@ namespace pellucid
 struct Candidate
 {
   std::string Name;
+  std::string Family;      ///< those with the same store and the same way to composite
   std::string Description; ///< in one line
   bool IsExact;            ///< by design; GetLossyPixels() tells of a frame
   std::function<vtkSmartPointer<vtkCandidatePass>()> MakePass;

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   How far a picture of 8 bits is from the one it should be.
+ */
+
+#ifndef PictureError_h
+#define PictureError_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector> // for edges
+
+namespace pellucid
+{
+namespace benchmark
+{
+/**
+ * A picture as it should be, RGB or RGBA of double in [0,1].
+ *
+ * Where the edge of a surface runs through the centre of a pixel, to within what a rasteriser
+ * resolves, both sides of it are right. Such edge pixels are those that change by more than a step
+ * of 8 bits where the picture is displaced by that small part of a pixel; no method is measured by
+ * them.
+ */
+class ExpectedPicture
+{
+public:
+  explicit ExpectedPicture(vtkSmartPointer<vtkImageData> picture);
+
+  /** Take into account the same picture, displaced. */
+  void AddDisplaced(vtkImageData* displaced);
+
+  vtkImageData* GetPicture() const { return this->Picture; }
+  bool IsEdge(vtkIdType pixel) const { return this->Edges[pixel]; }
+
+private:
+  vtkSmartPointer<vtkImageData> Picture;
+  std::vector<bool> Edges;
+};
+
+/** Differences of colours, in steps of 8 bits where there is no other unit. */
+struct PictureError
+{
+  /** Root of the mean square over all components of pixels that are no edges; rounding gives 0.29.
+   */
+  double RootMeanSquare = 0.0;
+
+  /** Largest difference of a component to what the expected picture is when rounded. */
+  double Maximum = 0.0;
+
+  /** 20 log10(255 / RootMeanSquare) in dB; infinite for equal pictures. */
+  double PeakSignalToNoise = 0.0;
+
+  /**
+   * Structural similarity of the luminances, at most 1: the mean over all windows of 11 x 11
+   * pixels, weighted by a Gaussian with standard deviation 1.5 (Z. Wang, A. C. Bovik, H. R. Sheikh
+   * and E. P. Simoncelli, Image Quality Assessment: From Error Visibility to Structural Similarity,
+   * 2004, eqs. 13 to 17, K1 = 0.01, K2 = 0.03). Only windows inside the picture count; NaN where it
+   * is smaller. Edge pixels are compared with the expected picture as it is.
+   */
+  double StructuralSimilarity = 0.0;
+
+  /** Pixels that are not measured. */
+  vtkIdType EdgePixels = 0;
+};
+
+/**
+ * Compare `shown`, 3 or more components of unsigned char, with a picture of the same dimensions.
+ * Only the first 3 components count.
+ */
+PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expected);
+}
+}
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   Compares methods to draw translucent geometry; see pellucid-benchmark --help.
+ *
+ * Exit codes: 0 everything is measured and written, 1 it is not, 2 wrong usage. Errors are one line
+ * on the standard error stream.
+ */
+
+#include "BenchmarkOptions.h"
+#include "Choices.h"
+#include "ErrorTimePlot.h"
+#include "MessageLog.h"
+#include "PictureFile.h"
+#include "PictureWindow.h"
+#include "PlainText.h"
+#include "RenderError.h"
+#include "Reports.h"
+
+#include "vtkVersion.h"
+#include "vtksys/SystemInformation.hxx"
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <thread>
+
+namespace
+{
+using namespace pellucid;
+using namespace pellucid::benchmark;
+
+//------------------------------------------------------------------------------
+Machine DescribeMachine()
+{
+  PictureWindow window({ 1, 1 });
+  window.CheckExactTransparency();
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  return { window.GetProperty("OpenGL renderer string"),
+    window.GetProperty("OpenGL version string"), vtkVersion::GetVTKVersion(), system.GetModelName(),
+    static_cast<int>(std::thread::hardware_concurrency()) };
+}
+
+//------------------------------------------------------------------------------
+void CheckFiles(const BenchmarkOptions& options)
+{
+  for (const std::string* file :
+    { &options.JsonFile, &options.CsvFile, &options.PlotFile, &options.TableFile })
+  {
+    if (!file->empty())
+    {
+      CheckWritable(*file);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Tell(const std::string& step)
+{
+  std::cerr << step << std::endl;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Row> MeasureScenes(const BenchmarkOptions& options,
+  const std::vector<SceneChoice>& scenes, const std::vector<Method>& methods)
+{
+  std::vector<Row> rows;
+  for (const SceneChoice& choice : scenes)
+  {
+    Scene scene = choice.Make();
+    for (const auto& size : options.Sizes)
+    {
+      for (const double opacity : options.Opacities)
+      {
+        Tell(choice.Name + ", " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+          ", opacity " + ToText(opacity));
+        MeasurementSettings settings = options.Settings;
+        settings.Size = size;
+        settings.Opacity = opacity;
+        const auto measured = Measure(scene, ChooseSuitable(methods, scene), settings);
+        rows.insert(rows.end(), measured.begin(), measured.end());
+      }
+    }
+  }
+  MarkFronts(rows);
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void Run(const BenchmarkOptions& options)
+{
+  if (options.Lists)
+  {
+    WriteList(std::cout, options.DataFolder);
+    return;
+  }
+  const auto scenes = ChooseScenes(options.Scenes, options.DataFolder);
+  const auto methods = ChooseMethods(options.Methods);
+  CheckFiles(options);
+  Figures figures;
+  figures.Where = DescribeMachine();
+  if (options.MeasuresScaling)
+  {
+    figures.Scaling = MeasureScaling(methods, options.Settings, options.Limits, Tell);
+  }
+  else
+  {
+    figures.Rows = MeasureScenes(options, scenes, methods);
+  }
+  if (!options.JsonFile.empty())
+  {
+    WriteJson(figures, options.JsonFile);
+  }
+  if (!options.CsvFile.empty())
+  {
+    WriteCsv(figures, options.CsvFile);
+  }
+  if (!options.PlotFile.empty())
+  {
+    WritePicture(DrawErrorTimePlot(figures.Rows), options.PlotFile);
+  }
+  if (!options.TableFile.empty())
+  {
+    WriteTables(figures, options.TableFile);
+  }
+  else
+  {
+    PrintTables(figures, std::cout);
+  }
+}
+
+//------------------------------------------------------------------------------
+int Fail(const std::string& message)
+{
+  std::cerr << "pellucid-benchmark: " << MakePrintable(message) << "\n";
+  return 1;
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  MessageLog::GetInstance();
+  std::optional<int> exitCode;
+  const auto options = ParseCommandLine(argc, argv, exitCode);
+  if (exitCode)
+  {
+    return *exitCode;
+  }
+  try
+  {
+    Run(options);
+    return 0;
+  }
+  catch (const UnknownName& error)
+  {
+    Fail(error.what());
+    return 2;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail("out of memory; choose smaller scenes or sizes, or --no-errors");
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(error.what());
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Which methods the benchmark recommends, and the statistics that it reports.
+ */
+
+#include "ParetoFront.h"
+#include "ReferenceTesting.h"
+#include "Row.h"
+#include "Statistics.h"
+
+#include <limits>
+
+namespace
+{
+using pellucid::benchmark::FindMedian;
+using pellucid::benchmark::FindParetoFront;
+using pellucid::benchmark::FitExponent;
+using pellucid::benchmark::MarkFronts;
+using pellucid::benchmark::PictureError;
+using pellucid::benchmark::Row;
+
+using Flags = std::vector<bool>;
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+void TestFront(Checks& checks)
+{
+  checks.True("none", FindParetoFront({}).empty());
+  checks.True("one", FindParetoFront({ { 3.0, 2.0 } }) == Flags{ true });
+  checks.True("a front of three, and two that others beat",
+    FindParetoFront({ { 1.0, 9.0 }, { 2.0, 4.0 }, { 8.0, 0.5 }, { 3.0, 5.0 }, { 8.0, 0.6 } }) ==
+      Flags{ true, true, true, false, false });
+  checks.True("equal ones", FindParetoFront({ { 1.0, 1.0 }, { 1.0, 1.0 } }) == Flags{ true, true });
+  checks.True(
+    "as fast, but worse", FindParetoFront({ { 1.0, 1.0 }, { 1.0, 2.0 } }) == Flags{ true, false });
+  checks.True(
+    "as good, but slower", FindParetoFront({ { 2.0, 1.0 }, { 1.0, 1.0 } }) == Flags{ false, true });
+  checks.True("without an error",
+    FindParetoFront({ { 0.1, NotANumber }, { 1.0, 1.0 }, { NotANumber, 0.0 } }) ==
+      Flags{ false, true, false });
+}
+
+Row MakeRow(const std::string& scene, double milliseconds, double error)
+{
+  Row row;
+  row.Scene = scene;
+  row.Milliseconds = { milliseconds };
+  row.Error = PictureError();
+  row.Error->RootMeanSquare = error;
+  return row;
+}
+
+void TestRows(Checks& checks)
+{
+  std::vector<Row> rows = { MakeRow("a", 1.0, 5.0), MakeRow("b", 2.0, 6.0), MakeRow("a", 2.0, 6.0),
+    MakeRow("a", 3.0, 0.2889), MakeRow("a", 4.0, 0.2887), MakeRow("a", 0.5, 0.0) };
+  rows[5].HasOptimizedOpacities = true;
+  MarkFronts(rows);
+  const Flags expected = { true, true, false, true, false, false };
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    checks.True("row " + std::to_string(i), rows[i].IsOnFront == expected[i]);
+  }
+}
+
+void TestMedian(Checks& checks)
+{
+  checks.Near("median of an odd number", FindMedian({ 5.0, 1.0, 9.0 }), 5.0, 0.0);
+  checks.Near("median of an even number", FindMedian({ 4.0, 1.0, 9.0, 2.0 }), 3.0, 0.0);
+  checks.True("median of nothing", std::isnan(FindMedian({})));
+  const Row empty;
+  checks.True("no frame",
+    std::isnan(empty.GetMedian()) && std::isnan(empty.GetMinimum()) &&
+      std::isnan(empty.GetMaximum()));
+}
+
+void TestExponent(Checks& checks)
+{
+  checks.Near(
+    "a power law", FitExponent({ 1.0, 10.0, 100.0 }, { 5.0, 40.0, 320.0 }), std::log10(8.0), 1e-12);
+  checks.Near("a constant", FitExponent({ 1e3, 1e7 }, { 2.0, 2.0 }), 0.0, 1e-12);
+  checks.Near(
+    "zeros are left out", FitExponent({ 1.0, 2.0, 3.0, 0.0 }, { 1.0, 2.0, 0.0, 9.0 }), 1.0, 1e-12);
+  checks.True("of one size", std::isnan(FitExponent({ 7.0, 7.0 }, { 1.0, 2.0 })));
+  checks.True("of nothing", std::isnan(FitExponent({}, {})));
+}
+}
+
+int TestBenchmarkFigures(int, char*[])
+{
+  Checks checks;
+  TestFront(checks);
+  TestRows(checks);
+  TestMedian(checks);
+  TestExponent(checks);
+  return checks.Result();
+}
