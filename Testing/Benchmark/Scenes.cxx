@@ -45,6 +45,7 @@ constexpr int SegmentsPerLine = 99;
 constexpr double LineRadius = 0.03;
 constexpr double PointRadius = 0.06;
 constexpr int TubeSides = 8;
+constexpr double LayerSide = 0.1; // half of it, for a stack of depth 1
 constexpr double LowestContour = 80.0;
 constexpr double HighestContour = 240.0;
 constexpr double Zoom = 1.6;
@@ -189,10 +190,10 @@ Scene MakeLayers(const std::string& name, int size)
   for (const int layer : order)
   {
     const double z = (layer + 0.5) / size - 0.5;
-    points->InsertNextPoint(-1.0, -1.0, z);
-    points->InsertNextPoint(1.0, -1.0, z);
-    points->InsertNextPoint(1.0, 1.0, z);
-    points->InsertNextPoint(-1.0, 1.0, z);
+    points->InsertNextPoint(-LayerSide, -LayerSide, z);
+    points->InsertNextPoint(LayerSide, -LayerSide, z);
+    points->InsertNextPoint(LayerSide, LayerSide, z);
+    points->InsertNextPoint(-LayerSide, LayerSide, z);
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
