@@ -79,7 +79,7 @@ vtkVector3d Follow(const PropDescription& prop, Numbers& numbers, const vtkVecto
     return beforeThat;
   }
   direction = (direction + 0.6 * numbers.GetPoint()).Normalized();
-  return previous + (2.5 / prop.PointsPerCell) * direction;
+  return previous + (1.0 / prop.PointsPerCell) * direction;
 }
 
 std::vector<vtkVector3d> MakeLine(const PropDescription& prop, int line)
@@ -403,8 +403,8 @@ void SetCamera(vtkRenderer* renderer, const SceneDescription& scene)
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetParallelProjection(scene.ParallelProjection);
   camera->SetFocalPoint(center[0], center[1], center[2]);
-  camera->SetPosition(center[0], center[1], center[2] + 3.5 * height + 1.0);
-  camera->SetParallelScale(1.4);
+  camera->SetPosition(center[0], center[1], center[2] + 5.0 * height + 2.0);
+  camera->SetParallelScale(1.5);
   camera->Azimuth(scene.Azimuth);
   camera->Elevation(scene.Elevation);
   camera->Zoom(scene.Zoom);
@@ -421,7 +421,7 @@ void SetCamera(vtkRenderer* renderer, const SceneDescription& scene)
     }
   }
   // Points that are not finite have no place in the bounds that VTK takes the range from.
-  const double half = 1.5;
+  const double half = 2.5;
   renderer->ResetCameraClippingRange(center[0] - half, center[0] + half, center[1] - half,
     center[1] + half, center[2] - half * height, center[2] + half * height);
   if (scene.NearToFar > 0.0)

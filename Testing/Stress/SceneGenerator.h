@@ -77,8 +77,8 @@ inline rc::Gen<SceneDescription> MakeSceneGenerator(int largestNumberOfProps = 5
 {
   using S = SceneDescription;
   using rc::gen::set;
-  return rc::gen::build<S>(set(&S::Width, OneOf<int>({ 61, 1, 17, 80, 120, 160 })),
-    set(&S::Height, OneOf<int>({ 47, 1, 16, 79, 120 })),
+  return rc::gen::build<S>(set(&S::Width, OneOf<int>({ 61, 1, 17, 80, 120, 301 })),
+    set(&S::Height, OneOf<int>({ 47, 1, 16, 79, 199 })),
     set(&S::Samples, OneOf<int>({ 0, 0, 0, 4 })), set(&S::MemoryLimit, OneOf<int>({ 1024, 1 })),
     set(&S::GatherScale, OneOf<int>({ 1, 1, 1, 2, 4 })),
     set(&S::TransparentBackground, Sometimes(4)),
@@ -86,7 +86,7 @@ inline rc::Gen<SceneDescription> MakeSceneGenerator(int largestNumberOfProps = 5
     set(&S::Azimuth, OneOf<double>({ 0.0, 30.0, 200.0 })),
     set(&S::Elevation, OneOf<double>({ 0.0, 40.0, -89.0 })),
     set(&S::Zoom, OneOf<double>({ 1.0, 3.0, 0.2 })), set(&S::EyeInside, Sometimes(6)),
-    set(&S::NearToFar, OneOf<double>({ 0.0, 0.0, 0.0, 1e2, 1e5 })),
+    set(&S::NearToFar, OneOf<double>({ 0.0, 0.0, 0.0, 1e2, 1e9 })),
     set(&S::Offset, OneOf<double>({ 0.0, 0.0, 0.0, 180.0, 6.4e6 })),
     set(&S::Stretch, OneOf<double>({ 1.0, 1.0, 500.0 })),
     set(&S::Compensated, OneOf<bool>({ true, false })),
