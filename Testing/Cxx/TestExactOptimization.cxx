@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pictures with optimised opacities, of lines, points and surfaces with parameters of their own,
-// are those of the double-precision reference.
+// Pictures with opacities that follow from importance, of lines, points and surfaces with
+// parameters of their own, are those of the double-precision reference.
 #include "SegmentedScene.h"
 
 namespace
@@ -43,6 +43,29 @@ bool TestMixture(const std::string& name)
   AddSurface<Mapper>(scene, MakeSegmentedSphere(1.2, 1.0), 0.2); // takes no part
   return Compare(scene, name);
 }
+
+//------------------------------------------------------------------------------
+// The smoothed depth of a flat surface is its own depth, and nothing of it is in front.
+bool TestAvoidanceOfFlatSurface()
+{
+  bool success = true;
+  for (const bool isParallel : { false, true })
+  {
+    SphereScene scene(300, 300, 0, 0, 0);
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-1.0, -1.0, -1.0);
+    plane->SetPoint1(1.0, -1.0, 0.3);
+    plane->SetPoint2(-1.0, 1.0, 0.5);
+    plane->SetResolution(7, 7);
+    plane->Update();
+    AddImportance(plane->GetOutput(), [](const double* p) { return std::sin(9.0 * p[0] + p[1]); });
+    vtkActor* actor = AddSurface<vtkPolyDataMapper>(scene, plane->GetOutput(), 0.7);
+    Avoid(actor, vtkOcclusionAvoidance::PENALTY, true);
+    scene.Renderer->GetActiveCamera()->SetParallelProjection(isParallel);
+    success &= Compare(scene, "avoidance of a flat surface");
+  }
+  return success;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,5 +75,6 @@ int TestExactOptimization(int, char*[])
   success &= TestUndivided();
   success &= TestMixture<vtkPolyDataMapper>("surfaces of VTK's mapper among lines");
   success &= TestMixture<vtkTrajectoryMapper>("surfaces among lines");
+  success &= TestAvoidanceOfFlatSurface();
   return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }
