@@ -45,6 +45,21 @@ bool TestMixture(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+// Between points of importance 1 nothing is missing to it, whatever the exponent.
+bool TestFullImportance()
+{
+  SphereScene scene(300, 300, 0, 0, 0);
+  Optimize(AddSurface<vtkPolyDataMapper>(scene, MakeSegmentedSphere(1.2, 1.0), 0.6), 50.0, 50.0,
+    0.01, 0, true);
+  const auto lines = MakeLines(12, 40, 2);
+  AddImportance(lines, [](const double*) { return 1.0; });
+  Optimize(AddLines(scene, DivideLines(lines, 100), 0.05, 0.6), 1e38, 1e38, 1.0, 0, true);
+  Optimize(AddSurface<vtkPolyDataMapper>(scene, MakeSegmentedSphere(0.5, 0.5), 0.6), 1.0, 1.0, 1.0,
+    0, false);
+  return Compare(scene, "full importance");
+}
+
+//------------------------------------------------------------------------------
 // The smoothed depth of a flat surface is its own depth, and nothing of it is in front.
 bool TestAvoidanceOfFlatSurface()
 {
@@ -75,6 +90,7 @@ int TestExactOptimization(int, char*[])
   success &= TestUndivided();
   success &= TestMixture<vtkPolyDataMapper>("surfaces of VTK's mapper among lines");
   success &= TestMixture<vtkTrajectoryMapper>("surfaces among lines");
+  success &= TestFullImportance();
   success &= TestAvoidanceOfFlatSurface();
   return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }
