@@ -29,15 +29,15 @@
  * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
  * silhouette pixel and not measured.
  *
- * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice. A window with alpha bit planes
- * has its alpha compared too.
+ * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice. Where our pass draws into a
+ * window with alpha bit planes, alpha is compared too.
  */
 class ReferenceComparison
 {
 public:
   ReferenceComparison(vtkRenderWindow* window, vtkRenderer* renderer, double tolerance = 1.0)
     : Shown(Picture::Render(window))
-    , HasAlpha(window->GetAlphaBitPlanes() > 0)
+    , HasAlpha(window->GetAlphaBitPlanes() > 0 && vtkTransparencyInstaller::GetPass(renderer))
     , Renderer(renderer)
     , Tolerance(tolerance)
   {
