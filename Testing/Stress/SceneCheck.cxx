@@ -107,12 +107,14 @@ bool OpensOverlappingTubes(const SceneDescription& scene, const PropDescription&
 /**
  * Lines 500 times as long as they are apart turn back by less than 1e-3 from straight, and the
  * plane that halves such an angle is, in single precision and at the other end of the segment, off
- * by the radius.
+ * by the radius. Such triangles are slivers, whose depths the rasteriser's grid of 1/256 pixel
+ * moves.
  */
-bool TurnsSharply(const SceneDescription& scene, const PropDescription& prop)
+bool IsSteep(const SceneDescription& scene, const PropDescription& prop)
 {
-  return scene.Stretch > 1.0 && !scene.Compensated && prop.Kind == "lines" &&
-    prop.PointsPerCell > 2;
+  const bool bends = prop.Kind == "lines" && prop.PointsPerCell > 2;
+  const bool hasTriangles = prop.Kind == "sheets" || prop.Kind == "sphere";
+  return scene.Stretch > 1.0 && !scene.Compensated && (bends || hasTriangles);
 }
 
 /**
@@ -127,7 +129,7 @@ bool HasReference(const SceneDescription& scene)
       [&](const PropDescription& prop)
       {
         return (scene.Samples > 0 && IsOpaque(prop)) || OpensOverlappingTubes(scene, prop) ||
-          TurnsSharply(scene, prop);
+          IsSteep(scene, prop);
       });
 }
 
