@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 #[[
-Tests, all run by `ctest`; `-L unit|gl|python|plugin|package` picks a kind.
+Tests, all run by `ctest`; `-L unit|gl|python|plugin|stress|package` picks a kind.
 
 PELLUCID_TEST_WINDOWS: the render window classes that every test with OpenGL is run on, one ctest
 entry for each, `NAME-CLASS`. An X window without a DISPLAY gets a virtual one (xvfb-run), so the

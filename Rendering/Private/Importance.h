@@ -26,6 +26,18 @@ Real ClampImportance(Real importance)
   return 0;
 }
 
+/** So close to 1 nothing is missing to full importance: interpolation between points that have it
+ * rounds to a little less, which a small exponent, or a great weight, would make much of. */
+constexpr double LeastUnimportance = 1e-6;
+
+/** What is missing to full importance, in [0,1]. */
+template <typename Real>
+Real GetUnimportance(Real importance)
+{
+  const Real unimportance = 1 - ClampImportance(importance);
+  return unimportance > Real(LeastUnimportance) ? unimportance : Real(0);
+}
+
 /**
  * How importance follows from the values of an array, as vtkImportanceDrivenOpacity documents it.
  * Values that fall towards importance 1 count with the opposite sign. A shader needs the four

@@ -35,6 +35,11 @@ struct AttributeFragment
  * what hides what. */
 constexpr double ImportanceTolerance = 1e-5;
 
+/** So are a distance from the eye and a smoothed one that differ by no more than this part of it:
+ * on a flat surface, where the mean of the distances around is the fragment's own, rounding would
+ * decide. */
+constexpr double DistanceTolerance = 1e-5;
+
 /** What a pixel holds; all 0 where it holds nothing. */
 template <typename Real>
 struct PixelAttributes
@@ -172,7 +177,9 @@ struct OcclusionAvoidance
   Real Factor(Real depth, Real importance, const PixelAttributes<Real>& pixel) const
   {
     const Real own = ClampImportance(importance);
-    const bool inFront = depth < pixel.depth && own + Real(ImportanceTolerance) < pixel.importance;
+    const Real margin = this->smoothAttributes ? Real(1 + DistanceTolerance) : Real(1);
+    const bool inFront =
+      depth * margin < pixel.depth && own + Real(ImportanceTolerance) < pixel.importance;
     if (this->mode == PENALTY)
     {
       return this->globalOpacity * (inFront ? this->penalty : Real(1));

@@ -102,7 +102,7 @@ void SolveOpacities(const std::vector<OpacityFragment<Real>>& list, std::vector<
     if (counts(i))
     {
       const auto& parameters = *list[i].parameters;
-      const Real unimportance = 1 - ClampImportance(list[i].importance);
+      const Real unimportance = GetUnimportance(list[i].importance);
       const Real weight = std::pow(unimportance, 2 * parameters.lambda);
       const Real energy = parameters.r * inFront + parameters.q * opacities[i];
       opacities[i] = weight > 0 ? 1 / (1 + weight * energy) : Real(1);

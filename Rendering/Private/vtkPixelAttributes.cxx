@@ -33,6 +33,7 @@ std::string vtkPixelAttributes::GetShaderDefinitions(bool smooths)
   definitions.Define("ATTRIBUTES_BINDING", static_cast<int>(AttributesBinding));
   definitions.Define("SMOOTH_ATTRIBUTES", smooths ? 1 : 0);
   definitions.Define("IMPORTANCE_TOLERANCE", pellucid::ImportanceTolerance);
+  definitions.Define("DISTANCE_MARGIN", 1.0 + pellucid::DistanceTolerance);
   definitions.Define(
     "AVOIDS_BY_WEIGHTING", static_cast<std::uint32_t>(vtkOptimizedScene::AvoidsByWeighting));
   definitions.Define(

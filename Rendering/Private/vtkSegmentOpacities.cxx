@@ -3,6 +3,7 @@
 
 #include "vtkSegmentOpacities.h"
 
+#include "Importance.h"
 #include "vtkCornerOpacitiesFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -68,6 +69,7 @@ std::string vtkSegmentOpacities::GetShaderDefinitions()
   definitions.Define("CORNERS_BINDING", static_cast<int>(CornersBinding));
   definitions.Define("PENDING_BINDING", static_cast<int>(PendingBinding));
   definitions.Define("UNSEEN", Unseen);
+  definitions.Define("LEAST_UNIMPORTANCE", pellucid::LeastUnimportance);
   definitions.Define("RELAXATION", Relaxation);
   definitions.Define("NEGLIGIBLE_WAY", NegligibleWay);
   definitions.Define("TRIANGLE", TriangleBit);

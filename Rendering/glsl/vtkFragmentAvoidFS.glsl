@@ -64,7 +64,7 @@ void main()
     if ((actor.avoids & PELLUCID_SMOOTHS_ATTRIBUTES) != 0u)
     {
       importance = smoothed.x;
-      nearer = pellucidDistance(depth) < smoothed.y;
+      nearer = pellucidDistance(depth) * PELLUCID_DISTANCE_MARGIN < smoothed.y;
     }
 #endif
     bool inFront = nearer && own + PELLUCID_IMPORTANCE_TOLERANCE < importance;

@@ -78,9 +78,11 @@ void main()
       float energy =
         actor.clutterWeight * float(front) + actor.occlusionWeight * float(behind);
       front += own;
-      float unimportance = pellucidPower(1.0 - uintBitsToFloat(fragment.x), actor.exponent);
+      float unimportance = 1.0 - uintBitsToFloat(fragment.x);
+      unimportance = unimportance > PELLUCID_LEAST_UNIMPORTANCE ? unimportance : 0.0;
+      float weight = pellucidPower(unimportance, actor.exponent);
       // What is of full importance keeps its opacity, against an infinite energy too.
-      float opacity = unimportance > 0.0 ? 1.0 / (1.0 + unimportance * energy) : 1.0;
+      float opacity = weight > 0.0 ? 1.0 / (1.0 + weight * energy) : 1.0;
       uint bits = floatBitsToUint(opacity);
       if (bits < segment.x)
       {

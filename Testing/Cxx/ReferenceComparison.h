@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkReferenceRenderer.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
 #include "vtkTransparencyInstaller.h"
@@ -28,13 +29,15 @@
  * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
  * silhouette pixel and not measured.
  *
- * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice.
+ * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice. Where our pass draws into a
+ * window with alpha bit planes, alpha is compared too.
  */
 class ReferenceComparison
 {
 public:
   ReferenceComparison(vtkRenderWindow* window, vtkRenderer* renderer, double tolerance = 1.0)
     : Shown(Picture::Render(window))
+    , HasAlpha(window->GetAlphaBitPlanes() > 0 && vtkTransparencyInstaller::GetPass(renderer))
     , Renderer(renderer)
     , Tolerance(tolerance)
   {
@@ -120,6 +123,7 @@ private:
   {
     reference->SetRenderer(this->Renderer);
     reference->SetSize(this->Shown.Width, this->Shown.Height);
+    reference->SetTransparentBackground(this->HasAlpha);
     if (vtkExactTransparencyPass* pass = vtkTransparencyInstaller::GetPass(this->Renderer))
     {
       reference->SetView(pass->GetView());
@@ -171,7 +175,7 @@ private:
   double GetDifference(const std::vector<double>& reference, std::size_t pixel) const
   {
     double largest = 0.0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < (this->HasAlpha ? 4 : 3); ++i)
     {
       // As an 8-bit picture would show it.
       const double expected = std::floor(255.0 * reference[4 * pixel + i] + 0.5);
@@ -230,6 +234,7 @@ private:
   }
 
   Picture Shown;
+  bool HasAlpha;
   vtkRenderer* Renderer;
   double Tolerance;
   std::vector<double> FragmentCounts; // of the last reference

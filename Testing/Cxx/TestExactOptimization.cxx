@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pictures with optimised opacities, of lines, points and surfaces with parameters of their own,
-// are those of the double-precision reference.
+// Pictures with opacities that follow from importance, of lines, points and surfaces with
+// parameters of their own, are those of the double-precision reference.
 #include "SegmentedScene.h"
 
 namespace
@@ -43,6 +43,44 @@ bool TestMixture(const std::string& name)
   AddSurface<Mapper>(scene, MakeSegmentedSphere(1.2, 1.0), 0.2); // takes no part
   return Compare(scene, name);
 }
+
+//------------------------------------------------------------------------------
+// Between points of importance 1 nothing is missing to it, whatever the exponent.
+bool TestFullImportance()
+{
+  SphereScene scene(300, 300, 0, 0, 0);
+  Optimize(AddSurface<vtkPolyDataMapper>(scene, MakeSegmentedSphere(1.2, 1.0), 0.6), 50.0, 50.0,
+    0.01, 0, true);
+  const auto lines = MakeLines(12, 40, 2);
+  AddImportance(lines, [](const double*) { return 1.0; });
+  Optimize(AddLines(scene, DivideLines(lines, 100), 0.05, 0.6), 1e38, 1e38, 1.0, 0, true);
+  Optimize(AddSurface<vtkPolyDataMapper>(scene, MakeSegmentedSphere(0.5, 0.5), 0.6), 1.0, 1.0, 1.0,
+    0, false);
+  return Compare(scene, "full importance");
+}
+
+//------------------------------------------------------------------------------
+// The smoothed depth of a flat surface is its own depth, and nothing of it is in front.
+bool TestAvoidanceOfFlatSurface()
+{
+  bool success = true;
+  for (const bool isParallel : { false, true })
+  {
+    SphereScene scene(300, 300, 0, 0, 0);
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-1.0, -1.0, -1.0);
+    plane->SetPoint1(1.0, -1.0, 0.3);
+    plane->SetPoint2(-1.0, 1.0, 0.5);
+    plane->SetResolution(7, 7);
+    plane->Update();
+    AddImportance(plane->GetOutput(), [](const double* p) { return std::sin(9.0 * p[0] + p[1]); });
+    vtkActor* actor = AddSurface<vtkPolyDataMapper>(scene, plane->GetOutput(), 0.7);
+    Avoid(actor, vtkOcclusionAvoidance::PENALTY, true);
+    scene.Renderer->GetActiveCamera()->SetParallelProjection(isParallel);
+    success &= Compare(scene, "avoidance of a flat surface");
+  }
+  return success;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,5 +90,7 @@ int TestExactOptimization(int, char*[])
   success &= TestUndivided();
   success &= TestMixture<vtkPolyDataMapper>("surfaces of VTK's mapper among lines");
   success &= TestMixture<vtkTrajectoryMapper>("surfaces among lines");
+  success &= TestFullImportance();
+  success &= TestAvoidanceOfFlatSurface();
   return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -73,14 +73,14 @@ int TestLongLists(int, char*[])
   const int run = 16;
   const int shaderLimit = 2048;
   for (int layers :
-    { 1, 2, run - 1, run, run + 1, 2 * run, 2 * run + 1, 64, 500, 1000, shaderLimit - 1,
+    { 1, 2, run - 1, run, run + 1, 2 * run, 2 * run + 1, 64, 500, 1000, 100 * run, shaderLimit - 1,
       shaderLimit, shaderLimit + 1, shaderLimit + run, shaderLimit + run + 1, 5000 })
   {
     passed &= TestStack(layers, 1.0 / (layers + 1), 3);
   }
   passed &= TestStack(500, 0.0019, 5);
   passed &= TestStack(10000, 1e-4, 2);
-  passed &= TestStack(100000, 1e-5, 1);
+  passed &= TestStack(100 * shaderLimit, 1e-5, 1);
   passed &= TestStack(100000, 0.25, 1);
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -204,6 +204,24 @@ void TestAnyNumber(Checks& checks)
   }
 }
 
+// As interpolation between points of importance 1 leaves it.
+template <typename Real>
+void TestFullImportance(Checks& checks)
+{
+  for (const Real lambda : { Real(0.01), Real(2) })
+  {
+    const pellucid::OpacityParameters<Real> parameters{ Real(1e30), Real(1e30), lambda, false };
+    std::vector<pellucid::OpacityFragment<Real>> list;
+    for (int i = 0; i < 5; ++i)
+    {
+      list.push_back({ Real(1 - 1e-7 * i), i, &parameters });
+    }
+    std::vector<Real> opacities;
+    pellucid::SolveOpacities(list, opacities);
+    checks.True("full importance", opacities == std::vector<Real>(5, Real(1)));
+  }
+}
+
 template <typename Real>
 void TestHugeWeights(Checks& checks)
 {
@@ -276,6 +294,8 @@ int TestOpacitySolution(int, char*[])
   TestManyFragments(checks);
   TestMonotony(checks);
   TestAnyNumber(checks);
+  TestFullImportance<float>(checks);
+  TestFullImportance<double>(checks);
   TestHugeWeights<float>(checks);
   TestHugeWeights<double>(checks);
   TestObjects(checks);

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SceneCheck.h"
+
+#include "OpenGLDebugOutput.h"
+#include "ReferenceComparison.h"
+#include "SceneBuilder.h"
+
+#include "vtkActorCollection.h"
+#include "vtkFloatArray.h"
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucid
+{
+/** Keeps errors of VTK's objects; warnings, of points without a place for example, are expected. */
+class MessageCounter : public vtkOutputWindow
+{
+public:
+  static MessageCounter* New();
+  vtkTypeMacro(MessageCounter, vtkOutputWindow);
+
+  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayText(const char*) override {}
+
+  std::vector<std::string> TakeErrors()
+  {
+    std::vector<std::string> errors;
+    errors.swap(this->Errors);
+    return errors;
+  }
+
+private:
+  std::vector<std::string> Errors;
+};
+vtkStandardNewMacro(MessageCounter);
+
+//------------------------------------------------------------------------------
+/** A renderer in the window for as long as this lives. */
+class SceneChecker::Frame
+{
+public:
+  Frame(vtkRenderWindow* window, const SceneDescription& scene, BuildOrder order)
+    : Window(window)
+    , Renderer(MakeRenderer(scene, order))
+  {
+    this->Pass = vtkTransparencyInstaller::Install(this->Renderer);
+    this->Pass->SetMemoryLimit(scene.MemoryLimit);
+    this->Pass->SetGatherScale(scene.GatherScale);
+    window->AddRenderer(this->Renderer);
+  }
+
+  ~Frame()
+  {
+    vtkTransparencyInstaller::Uninstall(this->Renderer);
+    this->Window->RemoveRenderer(this->Renderer);
+  }
+
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  vtkRenderWindow* Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkExactTransparencyPass* Pass;
+};
+
+namespace
+{
+/** Opacities are in [0,1], or -1 for segments that no fragment shows. */
+bool HasValidOpacities(vtkRenderer* renderer, vtkExactTransparencyPass* pass, bool& areOptimized)
+{
+  bool areValid = true;
+  vtkCollectionSimpleIterator iterator;
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal(iterator);
+  while (vtkActor* actor = actors->GetNextActor(iterator))
+  {
+    const auto opacities = pass->GetOptimizedOpacities(actor);
+    areOptimized |= opacities != nullptr;
+    for (vtkIdType i = 0; opacities && i < opacities->GetNumberOfValues(); ++i)
+    {
+      const float opacity = opacities->GetValue(i);
+      areValid &= opacity == -1.0f || (opacity >= 0.0f && opacity <= 1.0f);
+    }
+  }
+  return areValid;
+}
+
+/**
+ * Whether the eye or a plane opens a tube that bends within its own radius: pieces that are no
+ * neighbours overlap, and which of their inner walls shows is nowhere defined.
+ */
+bool OpensOverlappingTubes(const SceneDescription& scene, const PropDescription& prop)
+{
+  const bool opens = scene.EyeInside || prop.ClippingPlane || prop.Radius > 0.5;
+  const bool bends = prop.Kind == "lines" && prop.PointsPerCell > 2;
+  return opens && bends && (prop.Shape != "walk" || prop.Radius * prop.PointsPerCell > 0.5);
+}
+
+/**
+ * Lines 500 times as long as they are apart turn back by less than 1e-3 from straight, and the
+ * plane that halves such an angle is, in single precision and at the other end of the segment, off
+ * by the radius. Such triangles are slivers, whose depths the rasteriser's grid of 1/256 pixel
+ * moves.
+ */
+bool IsSteep(const SceneDescription& scene, const PropDescription& prop)
+{
+  const bool bends = prop.Kind == "lines" && prop.PointsPerCell > 2;
+  const bool hasTriangles = prop.Kind == "sheets" || prop.Kind == "sphere";
+  return scene.Stretch > 1.0 && !scene.Compensated && (bends || hasTriangles);
+}
+
+/**
+ * The edges of opaque props are smoothed by samples, which the reference does not do. Nor does it
+ * round depths to single precision, which in a perspective of 1e9 merges all of the scene.
+ */
+bool HasReference(const SceneDescription& scene)
+{
+  const bool keepsDepths = scene.ParallelProjection || scene.NearToFar <= 1e3;
+  return keepsDepths &&
+    std::none_of(scene.Props.begin(), scene.Props.end(),
+      [&](const PropDescription& prop)
+      {
+        return (scene.Samples > 0 && IsOpaque(prop)) || OpensOverlappingTubes(scene, prop) ||
+          IsSteep(scene, prop);
+      });
+}
+
+/**
+ * Pixels that may differ without explanation. A pixel on a silhouette, which may show either side,
+ * decides through smoothed attributes or the opacity of its segment on others too.
+ */
+vtkIdType GetDoubtfulPixels(const SceneDescription& scene, vtkIdType silhouettePixels)
+{
+  const bool spreads = std::any_of(scene.Props.begin(), scene.Props.end(),
+    [](const PropDescription& prop)
+    { return prop.Method == "optimization" || (prop.Method != "none" && prop.SmoothAttributes); });
+  return spreads ? std::max<vtkIdType>(1, scene.Width * scene.Height / 200) + silhouettePixels : 0;
+}
+}
+
+//------------------------------------------------------------------------------
+void SceneFigures::Print(std::ostream& os) const
+{
+  const double root =
+    this->ComparedPixels > 0 ? std::sqrt(this->SquaredErrors / this->ComparedPixels) : 0.0;
+  os << this->Scenes << " scenes, " << this->OptimizedScenes << " with optimised opacities, "
+     << this->TiledScenes << " in tiles; " << this->Frames << " frames, " << this->Fragments
+     << " fragments, longest list " << this->LongestList << "; " << this->ComparedPixels
+     << " pixels compared: maximum " << this->LargestDifference << ", RMSE " << root << " of 255; "
+     << this->SilhouettePixels << " silhouette pixels, " << this->DoubtfulPixels
+     << " that depend on others of these" << std::endl;
+}
+
+//------------------------------------------------------------------------------
+SceneChecker::SceneChecker()
+{
+  vtkOutputWindow::SetInstance(this->Messages);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  this->Window->OffScreenRenderingOn();
+}
+
+//------------------------------------------------------------------------------
+SceneChecker::~SceneChecker()
+{
+  vtkOutputWindow::SetInstance(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void SceneChecker::PrepareWindow(const SceneDescription& scene)
+{
+  this->Window->SetSize(scene.Width, scene.Height);
+  this->Window->SetMultiSamples(scene.Samples);
+  this->Window->SetAlphaBitPlanes(scene.TransparentBackground);
+}
+
+//------------------------------------------------------------------------------
+void SceneChecker::CompareWithReference(
+  const SceneDescription& scene, Frame& frame, std::vector<std::string>& problems)
+{
+  const ReferenceComparison comparison(this->Window, frame.Renderer);
+  const vtkIdType pixels = static_cast<vtkIdType>(scene.Width) * scene.Height;
+  const vtkIdType compared =
+    pixels - comparison.GetSilhouettePixels() - comparison.GetUnexplainedPixels();
+  const double root = comparison.GetRootMeanSquare();
+  this->Figures.ComparedPixels += compared;
+  this->Figures.SilhouettePixels += comparison.GetSilhouettePixels();
+  this->Figures.DoubtfulPixels += comparison.GetUnexplainedPixels();
+  this->Figures.Fragments += comparison.GetNumberOfFragments();
+  this->Figures.LongestList = std::max(this->Figures.LongestList, comparison.GetLongestList());
+  this->Figures.LargestDifference =
+    std::max(this->Figures.LargestDifference, comparison.GetLargestDifference());
+  this->Figures.SquaredErrors += root * root * compared;
+  if (comparison.GetUnexplainedPixels() >
+    GetDoubtfulPixels(scene, comparison.GetSilhouettePixels()))
+  {
+    problems.push_back(std::to_string(comparison.GetUnexplainedPixels()) + " of " +
+      std::to_string(pixels) + " pixels differ from the reference without explanation");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SceneChecker::Check(const SceneDescription& scene)
+{
+  std::vector<std::string> problems;
+  this->PrepareWindow(scene);
+  const OpenGLDebugOutput debugOutput(this->Window);
+  const auto require = [&](bool holds, const std::string& problem)
+  {
+    ++this->Figures.Frames;
+    if (!holds)
+    {
+      problems.push_back(problem);
+    }
+  };
+  {
+    Frame frame(this->Window, scene, BuildOrder::Forward);
+    const Picture picture = Picture::Render(this->Window);
+    bool areOptimized = false;
+    require(HasValidOpacities(frame.Renderer, frame.Pass, areOptimized), "an opacity is invalid");
+    this->Figures.OptimizedScenes += areOptimized;
+    this->Figures.TiledScenes += frame.Pass->GetStatistics()->GetTiles() > 1;
+    require(Picture::Render(this->Window) == picture, "the second frame has other bits");
+    if (HasReference(scene))
+    {
+      this->CompareWithReference(scene, frame, problems);
+    }
+    if (scene.MemoryLimit == 1)
+    {
+      frame.Pass->SetMemoryLimit(1024);
+      require(Picture::Render(this->Window) == picture, "the memory limit changes bits");
+    }
+    const Frame other(this->Window, scene, BuildOrder::Shuffled);
+    this->Window->RemoveRenderer(frame.Renderer);
+    require(Picture::Render(this->Window) == picture, "another order has other bits");
+  }
+  ++this->Figures.Scenes;
+  for (const std::string& error : this->Messages->TakeErrors())
+  {
+    problems.push_back(error);
+  }
+  if (debugOutput.GetNumberOfMessages() > 0)
+  {
+    problems.emplace_back("OpenGL has complained");
+  }
+  return problems;
+}
+}
