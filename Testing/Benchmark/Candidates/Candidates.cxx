@@ -80,7 +80,7 @@ struct Threshold
   const char* Name;
   double Transmittance;
 };
-constexpr Threshold Thresholds[] = { { "1/255", 1.0 / 255.0 }, { "0.01", 0.01 }, { "0.05", 0.05 } };
+constexpr Threshold Thresholds[] = { { "0.004", 1.0 / 255.0 }, { "0.01", 0.01 }, { "0.05", 0.05 } };
 
 //------------------------------------------------------------------------------
 void AddThresholds(std::vector<Candidate>& candidates)
@@ -116,7 +116,7 @@ void AddLayers(std::vector<Candidate>& candidates)
 //------------------------------------------------------------------------------
 void AddDepthSlices(std::vector<Candidate>& candidates)
 {
-  std::vector<Threshold> thresholds = { { "1/8192", vtkCandidatePass::ExactTransmittance } };
+  std::vector<Threshold> thresholds = { { "0.0001", vtkCandidatePass::ExactTransmittance } };
   thresholds.insert(thresholds.end(), std::begin(Thresholds), std::end(Thresholds));
   for (const Threshold& threshold : thresholds)
   {
