@@ -4,6 +4,7 @@
 #include "MessageLog.h"
 
 #include "PlainText.h"
+#include "Program.h"
 #include "RenderError.h"
 
 #include "vtkLogger.h"
@@ -93,7 +94,7 @@ void MessageLog::PrintWarnings()
 {
   for (const std::string& warning : this->Warnings)
   {
-    std::cerr << "pellucid-render: warning: " << MakePrintable(warning) << "\n";
+    std::cerr << ProgramName << ": warning: " << MakePrintable(warning) << "\n";
   }
   this->Clear();
 }

@@ -94,9 +94,7 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
     }
     if (methods[i] == Method::Pellucid)
     {
-      pass = vtkTransparencyInstaller::Install(renderer);
-      pass->SetMemoryLimit(options.MemoryLimit);
-      SetView(pass, options.Opacities);
+      pass = MakeExact(renderer, options);
     }
     window.AddRenderer(renderer);
   }
@@ -184,6 +182,15 @@ void DivideByAlpha(vtkImageData* picture)
       });
   }
 }
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass* MakeExact(vtkRenderer* renderer, const RenderOptions& options)
+{
+  auto* pass = vtkTransparencyInstaller::Install(renderer);
+  pass->SetMemoryLimit(options.MemoryLimit);
+  SetView(pass, options.Opacities);
+  return pass;
 }
 
 //------------------------------------------------------------------------------

@@ -92,10 +92,10 @@ double PictureWindow::Render()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> PictureWindow::Grab(bool withAlpha)
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlpha)
 {
   vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(this->Window);
+  grabber->SetInput(window);
   grabber->ReadFrontBufferOff();
   grabber->ShouldRerenderOff();
   if (withAlpha)

@@ -20,6 +20,9 @@ class vtkRenderer;
 
 namespace pellucid
 {
+/** The last frame of a window, in 3 components of unsigned char, or 4 with alpha. */
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlpha);
+
 class PictureWindow
 {
 public:
@@ -34,8 +37,11 @@ public:
 
   void AddRenderer(vtkRenderer* renderer) { this->Window->AddRenderer(renderer); }
 
-  /** The last frame, in 3 components of unsigned char, or 4 with alpha. */
-  vtkSmartPointer<vtkImageData> Grab(bool withAlpha);
+  /** As GrabPicture() has it. */
+  vtkSmartPointer<vtkImageData> Grab(bool withAlpha)
+  {
+    return GrabPicture(this->Window, withAlpha);
+  }
 
   /** "OpenGL renderer string", "OpenGL version string", as the driver says them. */
   std::string GetProperty(const std::string& name);
