@@ -95,6 +95,7 @@ void MessageLog::PrintWarnings()
   for (const std::string& warning : this->Warnings)
   {
     std::cerr << ProgramName << ": warning: " << MakePrintable(warning) << "\n";
+    this->PrintedWarning = warning;
   }
   this->Clear();
 }

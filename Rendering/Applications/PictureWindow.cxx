@@ -107,9 +107,9 @@ vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlph
 }
 
 //------------------------------------------------------------------------------
-std::string PictureWindow::GetProperty(const std::string& name)
+std::string GetOpenGLProperty(vtkRenderWindow* window, const std::string& name)
 {
-  std::istringstream lines(this->Window->ReportCapabilities());
+  std::istringstream lines(window->ReportCapabilities());
   for (std::string line; std::getline(lines, line);)
   {
     if (line.compare(0, name.size(), name) == 0)

@@ -23,6 +23,9 @@ namespace pellucid
 /** The last frame of a window, in 3 components of unsigned char, or 4 with alpha. */
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlpha);
 
+/** "OpenGL renderer string", "OpenGL version string" of a window, as the driver says them. */
+std::string GetOpenGLProperty(vtkRenderWindow* window, const std::string& name);
+
 class PictureWindow
 {
 public:
@@ -43,8 +46,8 @@ public:
     return GrabPicture(this->Window, withAlpha);
   }
 
-  /** "OpenGL renderer string", "OpenGL version string", as the driver says them. */
-  std::string GetProperty(const std::string& name);
+  /** As GetOpenGLProperty() has it. */
+  std::string GetProperty(const std::string& name) { return GetOpenGLProperty(this->Window, name); }
 
 private:
   vtkNew<vtkRenderWindow> Window;
