@@ -7,15 +7,15 @@ Its pictures have the bits of pellucid-render's, of the same view.
 """
 
 import os
+import pathlib
 import shlex
 import subprocess
 import tempfile
-import pathlib
 import time
 import unittest
 
 import desktop
-from render_program import DATA, PROGRAM, RenderTest, read_picture
+from render_program import DATA, PROGRAM, read_picture
 
 VIEWER = os.environ["PELLUCID_VIEW"]
 LINES = DATA / "combustor-lines.vtk"
@@ -23,6 +23,7 @@ TRACT = DATA / "fornix.trk"
 SIZE = (320, 360)
 PANEL = 300
 RED = (255, 115, 102)  # of errors in the panel
+OLD_OPENGL = {"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"}
 MIDDLE = (SIZE[0] // 2, SIZE[1] // 2)
 
 # Where the panel has them, from its upper left corner.
@@ -33,15 +34,31 @@ SECOND_METHOD = (80, 75)
 RULE = (80, 200)
 
 
-class TestScreenshots(RenderTest):
-    """--screenshot, on the display of the test."""
+def run(program, *arguments, **environment):
+    return subprocess.run(
+        [program, *map(str, arguments)], capture_output=True, encoding="utf-8", timeout=120,
+        env={**os.environ, **environment})
+
+
+class TestScreenshots(unittest.TestCase):
+    """--screenshot, without a user."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        desk = desktop.Desktop()
+        cls.addClassCleanup(desk.close)
+        cls.display = desk.name
 
     def compare(self, *arguments):
         ours, theirs = self.folder / "viewer.png", self.folder / "program.png"
         for program, option, path in ((VIEWER, "--screenshot", ours), (PROGRAM, "-o", theirs)):
             path.unlink(missing_ok=True)
-            subprocess.run([program, *map(str, arguments), option, path, "--size", "200x150"],
-                           check=True, timeout=120, capture_output=True)
+            result = run(program, *arguments, option, path, "--size", "200x150",
+                         DISPLAY=self.display)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(ours.read_bytes(), theirs.read_bytes())
 
     def test_same_as_pellucid_render(self):
@@ -58,10 +75,8 @@ class TestScreenshots(RenderTest):
         self.compare(LINES, "--method", "vtk")
         self.compare(LINES, "--method", "vtk-peeling")
 
-    def refuse_view(self, code, text, *arguments, environment=None):
-        result = subprocess.run(
-            [VIEWER, *map(str, arguments)], capture_output=True, encoding="utf-8", timeout=120,
-            env={**os.environ, **(environment or {})})
+    def refuse(self, code, text, *arguments, **environment):
+        result = run(VIEWER, *arguments, **{"DISPLAY": self.display, **environment})
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertTrue(result.stderr.startswith("pellucid-view: "), result.stderr)
         self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
@@ -69,34 +84,35 @@ class TestScreenshots(RenderTest):
 
     def test_usage(self):
         picture = self.folder / "none.png"
-        self.refuse_view(2, "input", "--screenshot", picture)
-        self.refuse_view(2, "a file name ending in .png", LINES, "--screenshot", "none.gif")
-        self.refuse_view(2, "--method", LINES, "--method", "vtk", "--optimize")
-        self.refuse_view(2, "--size", LINES, "--size", "large")
-        result = subprocess.run([VIEWER, "--help"], capture_output=True, encoding="utf-8")
+        self.refuse(2, "input", "--screenshot", picture)
+        self.refuse(2, "a file name ending in .png", LINES, "--screenshot", "none.gif")
+        self.refuse(2, "--method", LINES, "--method", "vtk", "--optimize")
+        self.refuse(2, "--size", LINES, "--size", "large")
+        result = run(VIEWER, "--help")
         self.assertEqual(result.returncode, 0)
         for text in ("Mouse: left turns", "--screenshot", "--preset", "dropped"):
             self.assertIn(text, result.stdout)
-        result = subprocess.run([VIEWER, "--version"], capture_output=True, encoding="utf-8")
+        result = run(VIEWER, "--version")
         self.assertRegex(result.stdout, r"^pellucid-view \d+\.\d+\.\d+\n$")
 
     def test_files(self):
-        self.refuse_view(1, "missing.vtk", "missing.vtk", "--screenshot", self.folder / "none.png")
-        self.refuse_view(1, "cannot be written", LINES, "--screenshot", "/missing/none.png")
+        self.refuse(1, "missing.vtk", "missing.vtk")
+        self.refuse(1, "missing.vtk", "missing.vtk", "--screenshot", self.folder / "none.png")
+        self.refuse(1, "cannot be written", LINES, "--screenshot", "/missing/none.png")
 
     def test_without_display(self):
-        self.refuse_view(1, "no window can be opened", LINES, environment={"DISPLAY": ""})
-        self.refuse_view(1, "no window can be opened", LINES, environment={"DISPLAY": ":9876"})
+        self.refuse(1, "no window can be opened", LINES, DISPLAY="")
+        self.refuse(1, "no window can be opened", LINES, DISPLAY=":9876")
 
     def test_old_opengl(self):
         picture = self.folder / "old.png"
-        old = {"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"}
-        self.refuse_view(1, "--method vtk draws without exactness", LINES, "--screenshot", picture,
-                         environment=old)
-        subprocess.run([VIEWER, LINES, "--screenshot", picture, "--method", "vtk"], check=True,
-                       env={**os.environ, **old}, timeout=120)
+        self.refuse(1, "--method vtk draws without exactness", LINES, "--screenshot", picture,
+                    **OLD_OPENGL)
+        result = run(VIEWER, LINES, "--screenshot", picture, "--method", "vtk",
+                     DISPLAY=self.display, **OLD_OPENGL)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(picture.exists())
-        self.refuse_view(1, "OpenGL 3.2", LINES, environment={"MESA_GL_VERSION_OVERRIDE": "2.1"})
+        self.refuse(1, "OpenGL 3.2", LINES, MESA_GL_VERSION_OVERRIDE="2.1")
 
 
 class WindowTest(unittest.TestCase):
@@ -104,7 +120,6 @@ class WindowTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        self.desktop = None
         self.count = 0
 
     def start(self, *arguments, dots_per_inch=96, environment=None):
@@ -132,8 +147,8 @@ class WindowTest(unittest.TestCase):
 
     def assert_as_rendered(self, picture, view, *arguments, name=LINES):
         path = self.folder / "expected.png"
-        subprocess.run([PROGRAM, name, *arguments, *view, "-o", path], check=True, timeout=120,
-                       capture_output=True, env={**os.environ, "DISPLAY": self.desktop.name})
+        result = run(PROGRAM, name, *arguments, *view, "-o", path, DISPLAY=self.desktop.name)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
         expected = read_picture(path)
         self.assertEqual(expected.shape, picture.shape)
         self.assertEqual(abs(expected - picture).max(), 0)
@@ -202,10 +217,23 @@ class TestMouseAndKeys(WindowTest):
         time.sleep(1.5)
         self.assertLess(self.viewer.get_processor_time() - before, 0.1)
 
+    def test_fades(self):
+        self.open_lines("--preset", "focus")
+        self.save()
+        self.desktop.drag(MIDDLE, (MIDDLE[0] + 100, MIDDLE[1]))
+        fading = self.desktop.look_at(self.window)[:, :SIZE[0]]
+        time.sleep(4.0)
+        faded = self.desktop.look_at(self.window)[:, :SIZE[0]]
+        self.assertGreater(abs(faded - fading).max(), 0)
+        picture, view = self.save()
+        self.assertEqual(abs(picture - faded).max(), 0)
+        self.assert_as_rendered(picture, view, "--preset", "focus")
+
     def test_dots_per_inch(self):
         self.start(LINES, "--size", "700x400", dots_per_inch=192)
         picture, view = self.save()
-        self.assertEqual(picture.shape, (400, 700 + PANEL - 2 * PANEL, 3))
+        self.assertEqual(picture.shape, (400, 700, 3))
+        self.assertEqual(self.window.get_geometry().width, 700 + 2 * PANEL)
         self.assert_as_rendered(picture, view)
 
 
@@ -252,7 +280,9 @@ class TestFiles(WindowTest):
 
     def test_drop(self):
         self.start("--size", "{}x{}".format(*SIZE))
-        self.desktop.type_key(self.window, "s")  # nothing to save yet
+        self.desktop.drag(MIDDLE, (MIDDLE[0] + 50, MIDDLE[1]))  # nothing to turn or save yet
+        self.desktop.type_key(self.window, "r")
+        self.desktop.type_key(self.window, "s")
         desktop.wait_for(lambda: self.count_red() > 100, "an error")
         self.desktop.drop(self.window, TRACT)
         desktop.wait_for(lambda: self.count_red() == 0, "no error")
@@ -278,14 +308,8 @@ class TestFiles(WindowTest):
         picture, view = self.save()
         self.assert_as_rendered(picture, view, name=TRACT)
 
-    def test_unreadable_from_the_start(self):
-        result = subprocess.run([VIEWER, "missing.vtk"], capture_output=True, encoding="utf-8")
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("pellucid-view: missing.vtk: ", result.stderr)
-
     def test_old_opengl(self):
-        self.start(LINES, "--size", "{}x{}".format(*SIZE), environment={
-            "MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"})
+        self.start(LINES, "--size", "{}x{}".format(*SIZE), environment=OLD_OPENGL)
         orange = (255, 204, 102)
         desktop.wait_for(
             lambda: (self.desktop.look_at(self.window) == orange).all(axis=2).sum() > 100,

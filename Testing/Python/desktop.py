@@ -46,6 +46,8 @@ class Desktop:
         self.display.sync()
 
     def close(self):
+        if self.server.poll() is None:
+            self.display.close()
         self.server.kill()
         self.server.wait()
 

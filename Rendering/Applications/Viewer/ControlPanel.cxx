@@ -314,9 +314,12 @@ void DrawStatistics(const FrameStatistics& statistics)
   };
   if (ImGui::BeginTable("statistics", 2))
   {
-    row("fragments", "%lld", statistics.Fragments);
-    row("longest list", "%lld", statistics.LongestList);
-    row("memory", "%.1f MiB", static_cast<double>(statistics.BufferBytes) / (1 << 20));
+    if (statistics.Tiles > 0)
+    {
+      row("fragments", "%lld", statistics.Fragments);
+      row("longest list", "%lld", statistics.LongestList);
+      row("memory", "%.1f MiB", static_cast<double>(statistics.BufferBytes) / (1 << 20));
+    }
     for (const auto& [name, milliseconds] : statistics.Stages)
     {
       row(name, "%.2f ms", milliseconds);

@@ -123,16 +123,13 @@ Pointer GLWindow::MakePointer() const
   double x = 0.0;
   double y = 0.0;
   glfwGetCursorPos(this->Handle, &x, &y);
-  int width = 0;
-  int height = 0;
-  glfwGetWindowSize(this->Handle, &width, &height);
   const auto pixels = this->GetSize();
   const auto isHeld = [this](int left, int right)
   {
     return glfwGetKey(this->Handle, left) == GLFW_PRESS ||
       glfwGetKey(this->Handle, right) == GLFW_PRESS;
   };
-  const double density = width > 0 ? static_cast<double>(pixels[0]) / width : 1.0;
+  const float density = this->GetDensity();
   return { static_cast<int>(density * x), pixels[1] - 1 - static_cast<int>(density * y),
     isHeld(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
     isHeld(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) };
@@ -159,16 +156,28 @@ std::array<int, 2> GLWindow::GetSize() const
 }
 
 //------------------------------------------------------------------------------
+void GLWindow::SetSize(const std::array<int, 2>& size)
+{
+  const float density = this->GetDensity();
+  glfwSetWindowSize(
+    this->Handle, static_cast<int>(size[0] / density), static_cast<int>(size[1] / density));
+}
+
+//------------------------------------------------------------------------------
+float GLWindow::GetDensity() const
+{
+  int width = 0;
+  glfwGetWindowSize(this->Handle, &width, nullptr);
+  const int pixels = this->GetSize()[0];
+  return width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
+}
+
+//------------------------------------------------------------------------------
 float GLWindow::GetScale() const
 {
   float scale = 1.0F;
   glfwGetWindowContentScale(this->Handle, &scale, nullptr);
-  int width = 0;
-  glfwGetWindowSize(this->Handle, &width, nullptr);
-  const int pixels = this->GetSize()[0];
-  // Some desktops count in pixels, others in units that are larger on such a screen.
-  return width > 0 && pixels > 0 ? scale * static_cast<float>(width) / static_cast<float>(pixels)
-                                 : scale;
+  return scale / this->GetDensity();
 }
 
 //------------------------------------------------------------------------------

@@ -44,8 +44,7 @@ class GLWindow
 public:
   /**
    * Open a window, of OpenGL 4.3 or, where there is none, of at least 3.2, which VTK needs. Throw
-   * RenderError without a display or such an OpenGL. The size is that of the window's inside, in
-   * the desktop's units.
+   * RenderError without a display or such an OpenGL.
    */
   GLWindow(const std::array<int, 2>& size, bool isVisible, WindowListener& listener);
   ~GLWindow();
@@ -56,8 +55,14 @@ public:
   void MakeCurrent();
   bool IsCurrent() const;
 
-  /** Width and height in pixels; 0 while minimised. */
+  ///@{
+  /** Width and height in pixels; 0 while minimised. The desktop may give another size. */
+  void SetSize(const std::array<int, 2>& size);
   std::array<int, 2> GetSize() const;
+  ///@}
+
+  /** Pixels for each unit of the desktop, in which positions of windows and the mouse are. */
+  float GetDensity() const;
 
   /** How much larger than on an ordinary screen text and controls are to be, in desktop units. */
   float GetScale() const;

@@ -17,6 +17,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace pellucid
 {
@@ -24,13 +25,6 @@ namespace
 {
 // Dear ImGui answers an event in the frame after it, and some changes of layout one later.
 constexpr int FramesOfAnEvent = 3;
-
-//------------------------------------------------------------------------------
-std::array<int, 2> GetWindowSize(const RenderOptions& options)
-{
-  const bool hasPanel = options.Output.empty();
-  return { options.Size[0] + (hasPanel ? PanelWidth : 0), options.Size[1] };
-}
 
 //------------------------------------------------------------------------------
 // "pellucid-view-1.png", or the next number that is free.
@@ -49,7 +43,7 @@ std::string MakePictureName()
 //------------------------------------------------------------------------------
 Viewer::Viewer(const RenderOptions& options)
   : Scene(options)
-  , Window(GetWindowSize(options), options.Output.empty(), *this)
+  , Window(options.Size, options.Output.empty(), *this)
   , View(this->Window)
   , Panel(this->Window.GetHandle(), this->Window.GetScale())
 {
@@ -85,10 +79,7 @@ void Viewer::Try(const Work& work)
   {
     this->Contents.Error = error.what();
   }
-  if (!this->Contents.Error.empty())
-  {
-    this->OnRefresh();
-  }
+  this->OnRefresh();
 }
 
 //------------------------------------------------------------------------------
@@ -129,25 +120,32 @@ int Viewer::GetPanelWidth() const
   {
     return 0;
   }
-  // Of the panel at this scale, in pixels; a narrow window is all panel but for one column.
-  int units = 0;
-  glfwGetWindowSize(this->Window.GetHandle(), &units, nullptr);
+  // A narrow window is all panel but for one column.
+  const int width =
+    static_cast<int>(PanelWidth * this->Window.GetScale() * this->Window.GetDensity());
   const int pixels = this->Window.GetSize()[0];
-  const float density = units > 0 ? static_cast<float>(pixels) / static_cast<float>(units) : 1.0F;
-  const int width = static_cast<int>(PanelWidth * this->Window.GetScale() * density);
   return std::clamp(width, 0, std::max(0, pixels - 1));
 }
 
 //------------------------------------------------------------------------------
 void Viewer::Run()
 {
+  const auto& size = this->Scene.Options.Size; // of the picture
+  this->Window.SetSize({ size[0] + this->GetPanelWidth(), size[1] });
   this->OnRefresh();
   while (!this->Window.IsClosed())
   {
     if (this->FramesToDraw > 0 || this->View.NeedsRender())
     {
       this->DrawFrame();
-      this->OpenDropped();
+      if (std::exchange(this->IsSaving, false))
+      {
+        this->Try([this] { this->SavePicture(); });
+      }
+    }
+    if (!this->Dropped.empty())
+    {
+      this->OpenDropped(); // after a frame that says so: reading may take long
     }
     const bool isIdle = this->FramesToDraw == 0 && !this->View.NeedsRender() && !this->IsFading();
     this->Window.HandleEvents(isIdle);
@@ -178,10 +176,8 @@ void Viewer::DrawFrame()
   PanelRequest request;
   if (this->IsPanelShown)
   {
-    int units = 0;
-    glfwGetWindowSize(this->Window.GetHandle(), &units, nullptr);
     request = DrawPanel(this->Scene, this->FadeTime, this->Contents,
-      static_cast<float>(panelWidth) * static_cast<float>(units) / static_cast<float>(pixels[0]));
+      static_cast<float>(panelWidth) / this->Window.GetDensity());
   }
   this->Panel.EndFrame();
   this->Window.SwapBuffers();
@@ -295,13 +291,8 @@ void Viewer::WriteScreenshot()
 }
 
 //------------------------------------------------------------------------------
-// After a frame that says so: reading may take long.
 void Viewer::OpenDropped()
 {
-  if (this->Dropped.empty() || this->FramesToDraw > 0)
-  {
-    return;
-  }
   const auto fileNames = std::exchange(this->Dropped, {});
   this->Try(
     [&]
@@ -309,7 +300,6 @@ void Viewer::OpenDropped()
       this->Scene.Open(fileNames);
       this->ShowScene();
     });
-  this->OnRefresh();
 }
 
 //------------------------------------------------------------------------------
@@ -363,7 +353,7 @@ void Viewer::OnKey(int key)
       this->View.Invalidate();
       break;
     case GLFW_KEY_S:
-      this->Try([this] { this->SavePicture(); });
+      this->IsSaving = true; // what the next frame shows: other keys may wait for it too
       break;
     case GLFW_KEY_TAB:
       this->IsPanelShown = !this->IsPanelShown;

@@ -55,6 +55,7 @@ private:
   PanelContents Contents;
   double FadeTime = 0.3; // seconds
   bool IsPanelShown = true;
+  bool IsSaving = false;
   int DraggingButton = -1;          // the one that was pressed over the picture; -1: none
   int FramesToDraw = 0;             // until the panel has come to rest
   std::vector<std::string> Dropped; // files to open
