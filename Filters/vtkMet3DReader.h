@@ -18,6 +18,10 @@
  * time. The NetCDF library, and below it HDF5, decodes them: a damaged file of NetCDF-4 is as safe
  * to open as that library.
  *
+ * @par Reference
+ * The documentation of Met.3D, and M. Bandle: Opacity-Based Rendering of Lagrangian Particle
+ * Trajectories in Met.3D, 2016, for the layout; the CF conventions for the standard names.
+ *
  * @sa vtkGeographicTrajectoryReader
  */
 

@@ -41,6 +41,8 @@ EmbeddedView::EmbeddedView(GLWindow& window)
   this->RenderWindow->SetOpenGLSymbolLoader(
     [](void*, const char* name) { return glfwGetProcAddress(name); }, nullptr);
 #endif
+  this->RenderWindow->OpenGLInitContext();
+  this->RenderWindow->OpenGLInit();
   this->Interactor->SetRenderWindow(this->RenderWindow);
   this->Interactor->SetInteractorStyle(vtkNew<vtkInteractorStyleTrackballCamera>());
   this->Interactor->EnableRenderOff();

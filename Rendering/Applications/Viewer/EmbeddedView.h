@@ -14,7 +14,8 @@
  * 2. Make a vtkGenericOpenGLRenderWindow and answer its events: WindowMakeCurrentEvent makes the
  *    context current, WindowIsCurrentEvent sets the bool that comes as call data. SetOwnContext(0)
  *    says that others change the state of the context. From VTK 9.4 on, SetOpenGLSymbolLoader()
- *    names the function that finds OpenGL's.
+ *    names the function that finds OpenGL's. Then call OpenGLInitContext() and OpenGLInit(), in
+ *    this order, with the context current.
  * 3. Add a renderer and call vtkTransparencyInstaller::Install(renderer).
  * 4. Make a vtkGenericRenderWindowInteractor, hand it the mouse in pixels from the lower left
  *    corner, and let its RenderEvent ask for a new frame (EnableRenderOff()), so that several

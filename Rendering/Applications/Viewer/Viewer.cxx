@@ -85,7 +85,6 @@ void Viewer::Try(const Work& work)
 //------------------------------------------------------------------------------
 void Viewer::CheckOpenGL()
 {
-  this->View.GetRenderWindow()->OpenGLInit();
   const std::string reason =
     vtkExactTransparencyPass::GetReasonUnsupported(this->View.GetRenderWindow());
   if (reason.empty())
