@@ -19,8 +19,7 @@
  * to open as that library.
  *
  * @par Reference
- * The documentation of Met.3D, and M. Bandle: Opacity-Based Rendering of Lagrangian Particle
- * Trajectories in Met.3D, 2016, for the layout; the CF conventions for the standard names.
+ * None for the layout, which is the one described here; the CF conventions for the standard names.
  *
  * @sa vtkGeographicTrajectoryReader
  */
