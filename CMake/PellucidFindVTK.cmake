@@ -32,7 +32,7 @@ set(pellucid_vtk_components
   netcdf
   vtksys)
 
-set(pellucid_vtk_optional_components WrappingPythonCore Python)
+set(pellucid_vtk_optional_components RenderingUI WrappingPythonCore Python)
 if (BUILD_TESTING)
   list(APPEND pellucid_vtk_components
     ChartsCore

@@ -36,6 +36,9 @@
  * Limits: as vtkStreamTracer, coordinates are stored in single precision. Invalid cells cost a copy
  * of the valid ones as an unstructured grid.
  *
+ * @par Reference
+ * None: vtkStreamTracer traces; the seeds in a volume are the sequence of J. Halton, 1960.
+ *
  * @sa vtkStreamTracer vtkTrajectoryMapper
  */
 
@@ -59,6 +62,7 @@ public:
   vtkTypeMacro(vtkFieldStreamlines, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Where the seeds lie. */
   enum SeedingModes
   {
     VOLUME = 0, // the Halton sequence of the bounding box, as far as it lies inside cells
@@ -121,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Length in world units after which a line ends, in each direction from its seed; 0 (the default)
-   * is half the diagonal of the bounding box.
+   * Length in world units, at least 0, after which a line ends, in each direction from its seed; 0
+   * (the default) is half the diagonal of the bounding box.
    */
   vtkSetClampMacro(MaximumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumLength, double);

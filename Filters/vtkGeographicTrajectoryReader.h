@@ -35,6 +35,9 @@
  * reading. Memory: the output and three to four variables. Progress is reported after each
  * variable.
  *
+ * @par Reference
+ * None: what the files hold is described at each reader.
+ *
  * @sa vtkMet3DReader vtkLagrantoNetCDFReader vtkLagrantoReader
  */
 
@@ -69,6 +72,7 @@ public:
    */
   vtkGetMacro(NumberOfEnsembleMembers, int);
 
+  /** What z is. */
   enum VerticalAxes
   {
     LOG_PRESSURE = 0, // z = VerticalScale * ln(1000 hPa / p)
@@ -108,6 +112,7 @@ public:
   vtkGetMacro(VerticalScale, double);
   ///@}
 
+  /** What becomes of lines that cross the edge of the map. */
   enum LongitudeModes
   {
     UNWRAP = 0, // lines go on beyond the edge of the map
@@ -136,6 +141,7 @@ public:
   vtkGetMacro(CentralLongitude, double);
   ///@}
 
+  /** Which positions are drawn when a time is requested. */
   enum TimeSelections
   {
     ALL_TIMES = 0,      // whole trajectories whatever time is requested

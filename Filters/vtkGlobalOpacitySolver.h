@@ -36,6 +36,10 @@
  * Errors, each with a message and without opacities: no importance, or not of one component; an
  * importance that is NaN; no pixel lists; neighbours for another number of segments; cells that
  * contradict themselves, or name a segment that does not exist.
+ *
+ * @par Reference
+ * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and
+ * Surfaces. Computer Graphics Forum 36(2), 2017, equations 1 to 4.
  */
 
 #ifndef vtkGlobalOpacitySolver_h
@@ -92,7 +96,7 @@ public:
   ///@}
 
   ///@{
-  /** lambda: emphasis of the important. Default 1. */
+  /** lambda: emphasis of the important, in [0.001, 1000]. Default 1. */
   vtkSetClampMacro(Emphasis, double, 1e-3, 1e3);
   vtkGetMacro(Emphasis, double);
   ///@}

@@ -47,6 +47,10 @@
  * serial pass over the cells. Progress is reported, and an abort, which leaves an empty output,
  * obeyed at about every hundredth of the points and of the cells; percentiles are found before.
  *
+ * @par Reference
+ * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D, 2016,
+ * section 3.3.1.
+ *
  * @sa vtkTrajectorySelection
  */
 
@@ -94,8 +98,11 @@ public:
     double weight = 1.0, bool minimumIsPercentile = false, bool maximumIsPercentile = false);
   ///@}
 
+  ///@{
+  /** End all criteria; how many there are, 0 at first. */
   void RemoveAllCriteria();
   int GetNumberOfCriteria();
+  ///@}
 
   ///@{
   /**

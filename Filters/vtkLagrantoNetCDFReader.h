@@ -15,8 +15,9 @@
  * ref_year, ref_month, ref_day, ref_hour and ref_min. Longitude and latitude without a unit are in
  * degrees, p in hPa and z in m. The value -999.99 is missing.
  *
- * Source: M. Sprenger, H. Wernli, "The LAGRANTO Lagrangian analysis tool - version 2.0",
- * Geoscientific Model Development 8, 2015.
+ * @par Reference
+ * M. Sprenger, H. Wernli: The LAGRANTO Lagrangian analysis tool - version 2.0. Geoscientific
+ * Model Development 8, 2015.
  *
  * @sa vtkGeographicTrajectoryReader vtkLagrantoReader
  */

@@ -25,8 +25,9 @@
  * The text is read and parsed once, by UpdateInformation(). Memory: the text while it is parsed,
  * and 4 bytes for each number until the update has ended, besides the output.
  *
- * Source: M. Sprenger, H. Wernli, "The LAGRANTO Lagrangian analysis tool - version 2.0",
- * Geoscientific Model Development 8, 2015.
+ * @par Reference
+ * M. Sprenger, H. Wernli: The LAGRANTO Lagrangian analysis tool - version 2.0. Geoscientific
+ * Model Development 8, 2015.
  *
  * @sa vtkGeographicTrajectoryReader vtkLagrantoNetCDFReader
  */

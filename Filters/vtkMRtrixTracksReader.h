@@ -19,7 +19,10 @@
  * cut off. Warnings: another number of lines than "count" in the header, which writers may leave
  * behind; bytes behind the row of infinities, which are ignored.
  *
- * Source: MRtrix3's documentation, "Tracks file format (.tck)". Memory: the file and the output.
+ * Memory: the file and the output.
+ *
+ * @par Reference
+ * MRtrix3's documentation: Tracks file format (.tck).
  *
  * @sa vtkTrackVisReader vtkTRXReader
  */

@@ -18,6 +18,9 @@
  * time. The NetCDF library, and below it HDF5, decodes them: a damaged file of NetCDF-4 is as safe
  * to open as that library.
  *
+ * @par Reference
+ * None for the layout, which is the one described here; the CF conventions for the standard names.
+ *
  * @sa vtkGeographicTrajectoryReader
  */
 

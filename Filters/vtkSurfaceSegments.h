@@ -65,6 +65,11 @@
  * empty output), or a system that cannot be factored (distances are then those of the shortest
  * paths above, some per cent too long).
  *
+ * @par Reference
+ * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and
+ * Surfaces. Computer Graphics Forum 36(2), 2017, section 5; for distances and weights the works
+ * named above.
+ *
  * @sa vtkTrajectorySegments
  */
 

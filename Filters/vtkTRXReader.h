@@ -28,8 +28,10 @@
  * not of the format are not read; groups are not read if, together, they would take more than 16
  * bytes for each byte of the file.
  *
- * Source: TRX file format specification (tee-ar-ex/trx-spec). Memory: the output, and float16
- * twice.
+ * Memory: the output, and float16 twice.
+ *
+ * @par Reference
+ * TRX file format specification (tee-ar-ex/trx-spec).
  *
  * @sa vtkTrackVisReader vtkMRtrixTracksReader
  */

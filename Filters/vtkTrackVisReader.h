@@ -23,7 +23,10 @@
  * counts; a file that ends within a line or before n_count lines (0: up to the end of the file), or
  * goes on behind them; coordinates that are not finite.
  *
- * Source: TrackVis, "TrackVis file format", version 2. Memory: the file and the output.
+ * Memory: the file and the output.
+ *
+ * @par Reference
+ * TrackVis: TrackVis file format, version 2.
  *
  * @sa vtkMRtrixTracksReader vtkTRXReader
  */

@@ -63,6 +63,10 @@
  * an array that is named or needed and does not exist, a cell with a point that does not exist.
  * Nothing is then computed.
  *
+ * @par Reference
+ * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D, 2016,
+ * section 3.1.
+ *
  * @sa vtkTrajectorySegments vtkTrajectoryReader
  */
 
@@ -85,6 +89,7 @@ public:
   vtkTypeMacro(vtkTrajectoryAttributes, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** What can be computed, in the order of the list above. */
   enum Attributes
   {
     TOTAL_PRESSURE_DIFFERENCE,
@@ -98,6 +103,7 @@ public:
     NUMBER_OF_ATTRIBUTES
   };
 
+  /** Whether an attribute is computed. */
   enum Statuses
   {
     OFF = 0,      // not computed
@@ -105,6 +111,7 @@ public:
     AUTOMATIC = 2 // computed if the arrays that it needs exist
   };
 
+  /** Axes of the coordinates. */
   enum Axes
   {
     X = 0,
@@ -164,7 +171,7 @@ public:
 
   ///@{
   /**
-   * The axis that points upwards, X, Y or Z. Default is Z.
+   * The axis that points upwards, from X (0) to Z (2). Default is Z.
    */
   vtkSetClampMacro(UpAxis, int, X, Z);
   vtkGetMacro(UpAxis, int);

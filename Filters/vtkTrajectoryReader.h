@@ -12,6 +12,9 @@
  * allocated. A file that cannot be read whole gives one error, "FILE: what was expected and what
  * was found", an error code of vtkErrorCode, and an empty output; never a part of its lines.
  *
+ * @par Reference
+ * None: an interface.
+ *
  * @sa vtkTrajectoryReaderFactory
  */
 

@@ -4,6 +4,12 @@
  * @class   vtkTrajectoryReaderFactory
  * @brief   Choose the reader of a trajectory file by the file's content.
  *
+ * Each reader of this module is asked in turn whether it can read the file; its name and suffix do
+ * not matter. Readers that other modules add are not known.
+ *
+ * @par Reference
+ * None: an interface.
+ *
  * @sa vtkTrajectoryReader
  */
 

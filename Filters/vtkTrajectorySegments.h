@@ -37,6 +37,10 @@
  * lines; same bits with any number of threads. Errors: a cell with a point that does not exist,
  * more than VTK_INT_MAX segments of all leaves. An error or an abort leaves an empty output.
  *
+ * @par Reference
+ * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and
+ * Surfaces. Computer Graphics Forum 36(2), 2017, section 5.
+ *
  * @sa vtkTrajectoryAttributes
  */
 
@@ -76,7 +80,8 @@ public:
 
   ///@{
   /**
-   * Target length of a segment in world units; 0, the default, goes by NumberOfSegments instead.
+   * Target length of a segment in world units, at least 0; 0, the default, goes by NumberOfSegments
+   * instead.
    */
   vtkSetClampMacro(SegmentLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SegmentLength, double);

@@ -37,6 +37,10 @@
  * does not depend on the number of threads. Progress is reported, and an abort, which leaves an
  * empty output, obeyed at about every hundredth of each pass; percentiles are found before.
  *
+ * @par Reference
+ * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D, 2016,
+ * section 3.3.
+ *
  * @sa vtkImportance
  */
 

@@ -35,7 +35,7 @@
  * mappers, without textures and observers of their shaders: other props are drawn in every frame.
  *
  * Exactness. Lists of any length are composited completely. When the fragments do not fit into the
- * buffers these grow; when they would exceed #MemoryLimit the image is worked through in
+ * buffers these grow; when they would exceed the memory limit the image is worked through in
  * rectangles, with the same bits as result; optimised opacities need all rectangles before the
  * first is composited, so these gather twice. Fragments of equal depth are ordered by opacity, then
  * colour, so a picture depends neither on the order of props and cells nor on the number of
@@ -127,15 +127,15 @@ public:
    *   for everything else;
    * - VIEW_LENGTH: the fragments of the pixel, relative to the fullest one.
    * Two composite, as in the picture, some of the fragments of each pixel:
-   * - VIEW_FIRST_LAYERS: the first #Layer ones;
-   * - VIEW_LAYER: number #Layer alone.
+   * - VIEW_FIRST_LAYERS: the first ones, as many as SetLayer() says;
+   * - VIEW_LAYER: the one of that number alone.
    */
   vtkSetClampMacro(View, int, VIEW_PICTURE, VIEW_LAYER);
   vtkGetMacro(View, int);
   ///@}
 
   ///@{
-  /** Layers of the last two views, counted from 1, the nearest. Default is 1. */
+  /** Layers of the last two views, counted from the nearest; at least 1, the default. */
   vtkSetClampMacro(Layer, int, 1, VTK_INT_MAX);
   vtkGetMacro(Layer, int);
   ///@}

@@ -10,6 +10,9 @@
  * map, property and opacity array give. An actor without parameters keeps its opacity, and counts
  * as unimportant.
  *
+ * @par Reference
+ * None: an interface; those of its subclasses.
+ *
  * @sa vtkOpacityOptimization vtkOcclusionAvoidance vtkImportance vtkExactTransparencyPass
  */
 

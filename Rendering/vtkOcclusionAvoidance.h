@@ -21,6 +21,10 @@
  * - mode Weighting: 1 / (1 + (1 - g^lambda) (m M + c C + v V + d [in front])), equations 3.2
  * and 3.3 there.
  *
+ * @par Reference
+ * M. Bandle: Opacity-Based Rendering of Lagrangian Particle Trajectories in Met.3D, 2016,
+ * sections 3.2 and 3.3.2.
+ *
  * @sa vtkImportanceDrivenOpacity vtkOpacityOptimization vtkExactTransparencyPass
  */
 
@@ -39,6 +43,7 @@ public:
   vtkTypeMacro(vtkOcclusionAvoidance, vtkImportanceDrivenOpacity);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** The two ways to find the factor, see above. */
   enum Modes
   {
     PENALTY = 0,

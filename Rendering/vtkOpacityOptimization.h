@@ -25,6 +25,10 @@
  *
  * The opacities do not depend on the distance of the camera beyond the sampling by pixels.
  *
+ * @par Reference
+ * T. Guenther, H. Theisel, M. Gross: Decoupled Opacity Optimization for Points, Lines and
+ * Surfaces. Computer Graphics Forum 36(2), 2017, equation 9 and section 5.
+ *
  * @sa vtkOcclusionAvoidance vtkExactTransparencyPass vtkImportance vtkTrajectorySegments
  * vtkSurfaceSegments
  */

@@ -38,6 +38,9 @@
  * primitives: seconds for a thousand lines of a hundred points at 800x600. Optimised opacities cost
  * the same once more, and so do smoothed attributes of vtkOcclusionAvoidance.
  *
+ * @par Reference
+ * None: it computes what the other classes, which name theirs, define.
+ *
  * @sa vtkExactTransparencyPass vtkImportanceDrivenOpacity vtkTrajectoryMapper
  */
 
@@ -86,8 +89,8 @@ public:
   ///@}
 
   ///@{
-  /** What is shown, and the layer that goes with it: vtkExactTransparencyPass::Views. Default: the
-   * picture. */
+  /** What is shown, and the layer, at least 1, that goes with it: vtkExactTransparencyPass::Views,
+   * from VIEW_PICTURE, the default, to VIEW_LAYER. Default of the layer is 1. */
   vtkSetClampMacro(View, int, 0, 6);
   vtkGetMacro(View, int);
   vtkSetClampMacro(Layer, int, 1, VTK_INT_MAX);
@@ -96,10 +99,10 @@ public:
 
   ///@{
   /**
-   * Resolution at which opacities are optimised: vtkExactTransparencyPass::SetGatherScale(). A
-   * pixel of the small picture, the centre of which need not be one of the full picture, has the
-   * opaque depth of the full picture's pixel in its middle, or of the upper or right one of two.
-   * Default: 1.
+   * Resolution at which opacities are optimised, 1 to 4:
+   * vtkExactTransparencyPass::SetGatherScale(). A pixel of the small picture, the centre of which
+   * need not be one of the full picture, has the opaque depth of the full picture's pixel in its
+   * middle, or of the upper or right one of two. Default: 1.
    */
   vtkSetClampMacro(GatherScale, int, 1, 4);
   vtkGetMacro(GatherScale, int);

@@ -43,6 +43,10 @@
  * Work on the CPU happens only when the data, radii, colours or opacities change, and not when it
  * is how blocks are displayed.
  *
+ * @par Reference
+ * M. Gross, S. Gumhold: Advanced Rendering of Line Data with Ambient Occlusion and Transparency.
+ * IEEE Transactions on Visualization and Computer Graphics 27(2), 2021, section 5.
+ *
  * @sa vtkExactTransparencyPass vtkTubeFilter vtkPolyDataMapper
  */
 

@@ -20,6 +20,9 @@
  * A hardware selection runs in VTK's own path. Graphics memory is freed when the renderer is
  * uninstalled, or deleted, or its window gives up its resources.
  *
+ * @par Reference
+ * None: an interface to VTK's render passes.
+ *
  * @sa vtkExactTransparencyPass
  */
 

@@ -9,6 +9,9 @@
  * stage. VTK's timer log has the times too, one event for each stage, "Pellucid gather" for
  * example: seconds of GPU time.
  *
+ * @par Reference
+ * None: counts and times.
+ *
  * @sa vtkExactTransparencyPass
  */
 
@@ -35,54 +38,54 @@ public:
   void Reset();
 
   ///@{
-  /** Translucent fragments that were stored and composited. */
+  /** Translucent fragments that were stored and composited. Default is 0. */
   vtkSetMacro(Fragments, vtkIdType);
   vtkGetMacro(Fragments, vtkIdType);
   ///@}
 
   ///@{
-  /** Fragments whose opacity was optimised, of those. */
+  /** Fragments whose opacity was optimised, of those. Default is 0. */
   vtkSetMacro(SolvedFragments, vtkIdType);
   vtkGetMacro(SolvedFragments, vtkIdType);
   ///@}
 
   ///@{
-  /** Fragments in the fullest pixel. */
+  /** Fragments in the fullest pixel. Default is 0. */
   vtkSetMacro(LongestList, vtkIdType);
   vtkGetMacro(LongestList, vtkIdType);
   ///@}
 
   ///@{
   /** Bytes of graphics memory that the pass holds: nodes, list heads, counters, copies of the
-   * opaque colour and depth. */
+   * opaque colour and depth. Default is 0. */
   vtkSetMacro(BufferBytes, vtkIdType);
   vtkGetMacro(BufferBytes, vtkIdType);
   ///@}
 
   ///@{
   /** Rectangles of the image that were gathered and resolved one after the other; 1 when all
-   * fragments fit into the memory limit. */
+   * fragments fit into the memory limit. Default is 0. */
   vtkSetMacro(Tiles, int);
   vtkGetMacro(Tiles, int);
   ///@}
 
   ///@{
   /** Times that the geometry was drawn: Tiles, and one more for each time that a buffer
-   * turned out to be too small. */
+   * turned out to be too small. Default is 0. */
   vtkSetMacro(GatherPasses, int);
   vtkGetMacro(GatherPasses, int);
   ///@}
 
   ///@{
   /** Props whose mapper takes no part in render passes, drawn with plain blending over the exact
-   * result. */
+   * result. Default is 0. */
   vtkSetMacro(BlendedProps, int);
   vtkGetMacro(BlendedProps, int);
   ///@}
 
   ///@{
   /** Whether opacities are still on their way to those of the view: another frame comes nearer. See
-   * vtkExactTransparencyPass::SetFadeTime(). */
+   * vtkExactTransparencyPass::SetFadeTime(). Default is false. */
   vtkSetMacro(Fading, bool);
   vtkGetMacro(Fading, bool);
   ///@}

@@ -28,6 +28,9 @@
  * What concerns the whole view (gather scale, memory limit, what the view shows) may be set in any
  * of its visible representations: what is not the default counts, of several values the greatest.
  *
+ * @par Reference
+ * None: an interface to the classes that it names, which name theirs.
+ *
  * @sa vtkTrajectoryMapper vtkTransparencyInstaller vtkOpacityOptimization vtkOcclusionAvoidance
  */
 
@@ -111,7 +114,8 @@ public:
   ///@}
 
   ///@{
-  /** Of vtkOpacityOptimization; the first four have an effect without a preset. */
+  /** Of vtkOpacityOptimization, with its ranges and defaults; the first four have an effect without
+   * a preset. */
   void SetOcclusionWeight(double weight);
   void SetClutterWeight(double weight);
   void SetEmphasis(double emphasis);
@@ -120,7 +124,7 @@ public:
   ///@}
 
   ///@{
-  /** Of vtkOcclusionAvoidance. */
+  /** Of vtkOcclusionAvoidance, with its ranges and defaults. */
   void SetPenalty(double penalty);
   void SetImportanceWeight(double weight);
   void SetCoverageWeight(double weight);
@@ -139,7 +143,7 @@ public:
   void SetDrawOnOneProcess(bool one) { this->DrawOnOneProcess = one; }
 
   ///@{
-  /** Of vtkExactTransparencyPass, for the whole view. */
+  /** Of vtkExactTransparencyPass, with its ranges and defaults, for the whole view. */
   void SetGatherScale(int scale) { this->Settings.GatherScale = scale; }
   void SetMemoryLimit(int mebibytes) { this->Settings.MemoryLimit = mebibytes; }
   void SetPictureView(int view) { this->Settings.PictureView = view; }

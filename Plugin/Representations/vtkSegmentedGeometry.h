@@ -7,6 +7,9 @@
  * Input is vtkPolyData or composite data of it. Lines and vertices pass vtkTrajectorySegments,
  * leaves of surfaces vtkSurfaceSegments; in a leaf with both, the surfaces are one segment. Without
  * a name of the importance array the input passes as it is.
+ *
+ * @par Reference
+ * None: that of the two filters.
  */
 
 #ifndef vtkSegmentedGeometry_h
@@ -41,8 +44,8 @@ public:
   ///@}
 
   ///@{
-  /** Of all lines together, as vtkTrajectorySegments has it; 0, the default: chosen from the data.
-   */
+  /** Of all lines together, at least 0, as vtkTrajectorySegments has it; 0, the default: chosen
+   * from the data. */
   vtkSetClampMacro(NumberOfSegments, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfSegments, int);
   ///@}

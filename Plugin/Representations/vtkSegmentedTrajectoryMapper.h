@@ -6,6 +6,9 @@
  *
  * For a representation, which gives its mapper the delivered data in each frame: what has not
  * changed is not divided again. Here and not where the data come from, since these may be in parts.
+ *
+ * @par Reference
+ * None: that of vtkTrajectoryMapper.
  */
 
 #ifndef vtkSegmentedTrajectoryMapper_h
@@ -25,6 +28,7 @@ public:
   static vtkSegmentedTrajectoryMapper* New();
   vtkTypeMacro(vtkSegmentedTrajectoryMapper, vtkTrajectoryMapper);
 
+  /** The filter that divides; never null. */
   vtkSegmentedGeometry* GetSegments() { return this->Segments; }
 
   using vtkTrajectoryMapper::SetInputDataObject;

@@ -4,6 +4,7 @@
 #include "MessageLog.h"
 
 #include "PlainText.h"
+#include "Program.h"
 #include "RenderError.h"
 
 #include "vtkLogger.h"
@@ -93,7 +94,8 @@ void MessageLog::PrintWarnings()
 {
   for (const std::string& warning : this->Warnings)
   {
-    std::cerr << PELLUCID_PROGRAM ": warning: " << MakePrintable(warning) << "\n";
+    std::cerr << ProgramName << ": warning: " << MakePrintable(warning) << "\n";
+    this->PrintedWarning = warning;
   }
   this->Clear();
 }

@@ -8,8 +8,9 @@
 #ifndef MessageLog_h
 #define MessageLog_h
 
-#include <string> // for messages
-#include <vector> // for the log
+#include <string>  // for messages
+#include <utility> // for std::exchange
+#include <vector>  // for the log
 
 namespace pellucid
 {
@@ -36,6 +37,9 @@ public:
    */
   void PrintWarnings();
 
+  /** The last warning that was printed since this was called before; or empty. */
+  std::string TakePrintedWarning() { return std::exchange(this->PrintedWarning, {}); }
+
   /**
    * Throw RenderError at every error while this is on. For the making of a window only: VTK
    * ends the process right after some errors there, such as a missing X server.
@@ -50,6 +54,7 @@ private:
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
+  std::string PrintedWarning;
   bool Throwing = false;
 };
 }

@@ -95,9 +95,7 @@ Frame MakePictureWithOpenGL(const Scene& scene, const RenderOptions& options)
     }
     if (methods[i] == Method::Pellucid)
     {
-      pass = vtkTransparencyInstaller::Install(renderer);
-      pass->SetMemoryLimit(options.MemoryLimit);
-      SetView(pass, options.Opacities);
+      pass = MakeExact(renderer, options);
     }
     window.AddRenderer(renderer);
   }
@@ -185,6 +183,15 @@ void DivideByAlpha(vtkImageData* picture)
       });
   }
 }
+}
+
+//------------------------------------------------------------------------------
+vtkExactTransparencyPass* MakeExact(vtkRenderer* renderer, const RenderOptions& options)
+{
+  auto* pass = vtkTransparencyInstaller::Install(renderer);
+  pass->SetMemoryLimit(options.MemoryLimit);
+  SetView(pass, options.Opacities);
+  return pass;
 }
 
 //------------------------------------------------------------------------------

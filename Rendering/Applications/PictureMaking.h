@@ -13,6 +13,8 @@
 
 #include "vtkImageData.h"
 
+class vtkExactTransparencyPass;
+
 namespace pellucid
 {
 struct Frame
@@ -20,6 +22,9 @@ struct Frame
   vtkSmartPointer<vtkImageData> Picture; // 3 or 4 components of unsigned char
   FrameStatistics Statistics;
 };
+
+/** Install the exact pass with the options' view and limits; again, to give it other options. */
+vtkExactTransparencyPass* MakeExact(vtkRenderer* renderer, const RenderOptions& options);
 
 /** Draw the scene as the options say; throw RenderError when that cannot be done. */
 Frame MakePicture(const Scene& scene, const RenderOptions& options);

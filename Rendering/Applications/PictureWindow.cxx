@@ -92,10 +92,10 @@ double PictureWindow::Render()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> PictureWindow::Grab(bool withAlpha)
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlpha)
 {
   vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(this->Window);
+  grabber->SetInput(window);
   grabber->ReadFrontBufferOff();
   grabber->ShouldRerenderOff();
   if (withAlpha)
@@ -107,9 +107,9 @@ vtkSmartPointer<vtkImageData> PictureWindow::Grab(bool withAlpha)
 }
 
 //------------------------------------------------------------------------------
-std::string PictureWindow::GetProperty(const std::string& name)
+std::string GetOpenGLProperty(vtkRenderWindow* window, const std::string& name)
 {
-  std::istringstream lines(this->Window->ReportCapabilities());
+  std::istringstream lines(window->ReportCapabilities());
   for (std::string line; std::getline(lines, line);)
   {
     if (line.compare(0, name.size(), name) == 0)

@@ -20,6 +20,12 @@ class vtkRenderer;
 
 namespace pellucid
 {
+/** The last frame of a window, in 3 components of unsigned char, or 4 with alpha. */
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window, bool withAlpha);
+
+/** "OpenGL renderer string", "OpenGL version string" of a window, as the driver says them. */
+std::string GetOpenGLProperty(vtkRenderWindow* window, const std::string& name);
+
 class PictureWindow
 {
 public:
@@ -35,11 +41,14 @@ public:
 
   void AddRenderer(vtkRenderer* renderer) { this->Window->AddRenderer(renderer); }
 
-  /** The last frame, in 3 components of unsigned char, or 4 with alpha. */
-  vtkSmartPointer<vtkImageData> Grab(bool withAlpha);
+  /** As GrabPicture() has it. */
+  vtkSmartPointer<vtkImageData> Grab(bool withAlpha)
+  {
+    return GrabPicture(this->Window, withAlpha);
+  }
 
-  /** "OpenGL renderer string", "OpenGL version string", as the driver says them. */
-  std::string GetProperty(const std::string& name);
+  /** As GetOpenGLProperty() has it. */
+  std::string GetProperty(const std::string& name) { return GetOpenGLProperty(this->Window, name); }
 
 private:
   vtkNew<vtkRenderWindow> Window;

@@ -4,6 +4,7 @@
 #include "ReaderGuard.h"
 
 #include "ErrorStream.h"
+#include "Program.h"
 
 #include <csignal>
 #include <cstdlib>
@@ -27,7 +28,7 @@ constexpr int Signals[] = { SIGABRT, SIGFPE, SIGSEGV };
 //------------------------------------------------------------------------------
 ReaderGuard::ReaderGuard(const std::string& message)
 {
-  LastWords = "pellucid-render: " + message + "\n";
+  LastWords = std::string(ProgramName) + ": " + message + "\n";
   ErrorStream::Mute();
   for (const int signal : Signals)
   {

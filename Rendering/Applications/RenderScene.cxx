@@ -8,6 +8,7 @@
 #include "StockActors.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkTrajectoryMapper.h"
@@ -21,13 +22,40 @@ namespace
 constexpr double DefaultOpacity = 0.3;
 
 //------------------------------------------------------------------------------
-void AddActor(
-  vtkRenderer* renderer, vtkActor* actor, const Drawable& drawable, const RenderOptions& options)
+void SetProperty(vtkActor* actor, const Drawable& drawable, const RenderOptions& options)
 {
   const double opacity = drawable.HasImportance ? 1.0 : DefaultOpacity;
   actor->GetProperty()->SetOpacity(options.Opacity.value_or(opacity));
   actor->GetProperty()->SetLighting(options.Lighting);
+}
+
+//------------------------------------------------------------------------------
+void AddTrajectoryActor(vtkRenderer* renderer, const Drawable& drawable, const Coloring& colors)
+{
+  vtkNew<vtkTrajectoryMapper> mapper;
+  mapper->SetInputDataObject(drawable.Data);
+  mapper->SetOpacityArray(drawable.IsFaded ? ImportanceArray : nullptr);
+  colors.Apply(mapper, drawable);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
   renderer->AddActor(actor);
+}
+
+//------------------------------------------------------------------------------
+void AddStockActors(vtkRenderer* renderer, const Drawable& drawable, const Coloring& colors,
+  const RenderOptions& options)
+{
+  vtkNew<vtkTrajectoryMapper> measure;
+  measure->SetInputDataObject(drawable.Data);
+  measure->SetRadius(options.Radius);
+  for (vtkPolyData* part : drawable.GetLeaves())
+  {
+    for (vtkActor* actor : MakeStockActors(part, measure->GetEffectiveRadius(), drawable, colors))
+    {
+      SetProperty(actor, drawable, options);
+      renderer->AddActor(actor);
+    }
+  }
 }
 }
 
@@ -35,36 +63,21 @@ void AddActor(
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Scene& scene, const RenderOptions& options, Method method, double aspect)
 {
-  const auto parameters = MakeOpacityParameters(options.Opacities, false);
-  const auto surfaceParameters = MakeOpacityParameters(options.Opacities, true);
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   for (const Drawable& drawable : scene.Drawables)
   {
-    vtkNew<vtkTrajectoryMapper> mapper;
-    mapper->SetInputDataObject(drawable.Data);
-    mapper->SetRadius(options.Radius);
     if (method == Method::Pellucid)
     {
-      scene.Colors.Apply(mapper, drawable);
-      mapper->SetOpacityArray(drawable.IsFaded ? ImportanceArray : nullptr);
-      vtkNew<vtkActor> actor;
-      actor->SetMapper(mapper);
-      if (drawable.HasImportance)
-      {
-        vtkImportanceDrivenOpacity::Attach(
-          actor, drawable.IsSurface ? surfaceParameters : parameters);
-      }
-      AddActor(renderer, actor, drawable, options);
-      continue;
+      AddTrajectoryActor(renderer, drawable, scene.Colors);
     }
-    for (vtkPolyData* part : drawable.GetLeaves())
+    else
     {
-      for (vtkActor* actor :
-        MakeStockActors(part, mapper->GetEffectiveRadius(), drawable, scene.Colors))
-      {
-        AddActor(renderer, actor, drawable, options);
-      }
+      AddStockActors(renderer, drawable, scene.Colors, options);
     }
+  }
+  if (method == Method::Pellucid)
+  {
+    SetAppearance(renderer, scene, options);
   }
   renderer->SetBackground(options.Background.data());
   if (options.TransparentBackground)
@@ -81,5 +94,26 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   }
   SetUpCamera(renderer, scene, options, aspect);
   return renderer;
+}
+
+//------------------------------------------------------------------------------
+void SetAppearance(vtkRenderer* renderer, const Scene& scene, const RenderOptions& options)
+{
+  const auto parameters = MakeOpacityParameters(options.Opacities, false);
+  const auto surfaceParameters = MakeOpacityParameters(options.Opacities, true);
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator next;
+  actors->InitTraversal(next);
+  for (const Drawable& drawable : scene.Drawables)
+  {
+    vtkActor* actor = actors->GetNextActor(next);
+    vtkTrajectoryMapper::SafeDownCast(actor->GetMapper())->SetRadius(options.Radius);
+    SetProperty(actor, drawable, options);
+    if (drawable.HasImportance)
+    {
+      vtkImportanceDrivenOpacity::Attach(
+        actor, drawable.IsSurface ? surfaceParameters : parameters);
+    }
+  }
 }
 }

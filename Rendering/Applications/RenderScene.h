@@ -31,6 +31,12 @@ struct Scene
  */
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Scene& scene, const RenderOptions& options, Method method, double aspect);
+
+/**
+ * Give the actors of such a renderer, made with Method::Pellucid, the radius, opacity and lighting
+ * of the options, and parameters of the rule that the scene was made for.
+ */
+void SetAppearance(vtkRenderer* renderer, const Scene& scene, const RenderOptions& options);
 }
 
 #endif

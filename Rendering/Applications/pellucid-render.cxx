@@ -10,23 +10,20 @@
 
 #include "ArrayTable.h"
 #include "LineAttributes.h"
-#include "LineSelection.h"
 #include "MessageLog.h"
 #include "PictureFile.h"
 #include "PictureMaking.h"
-#include "PlainText.h"
-#include "RenderError.h"
-#include "SceneImportance.h"
-#include "SceneSegments.h"
+#include "Program.h"
+#include "SceneMaking.h"
 
-#include <exception>
 #include <iostream>
-#include <new>
+
+const char* const pellucid::ProgramName = "pellucid-render";
 
 namespace
 {
 //------------------------------------------------------------------------------
-void Run(pellucid::RenderOptions options)
+void Run(const pellucid::RenderOptions& options)
 {
   using namespace pellucid;
   if (options.ListArrays)
@@ -41,45 +38,17 @@ void Run(pellucid::RenderOptions options)
   {
     CheckWritable(options.StatisticsFile);
   }
-  SceneStatistics statistics;
-  auto drawables = MakeDrawables(ReadInputs(options), options);
-  const bool isChosen = ChooseImportance(drawables, options);
-  AddNamedAttributes(drawables, options);
-  for (const Drawable& drawable : drawables)
+  const MadeScene made = MakeScene(MakeDrawables(ReadInputs(options), options), options);
+  if (made.IsImportanceChosen)
   {
-    statistics.InputPoints += drawable.GetNumberOfPoints();
-    statistics.InputLines += drawable.GetNumberOfLines();
+    std::cout << DescribeChoice(made.Statistics.Importance.Terms.front()) << std::endl;
   }
-  SelectLines(drawables, options);
-  for (const Drawable& drawable : drawables)
-  {
-    statistics.SelectedLines += drawable.GetNumberOfLines();
-  }
-  statistics.Importance = AddImportance(drawables, options);
-  if (isChosen)
-  {
-    std::cout << DescribeChoice(statistics.Importance.Terms.front()) << std::endl;
-  }
-  const Coloring colors(drawables, options);
-  statistics.ColorBy = colors.GetName();
-  if (options.Opacities.Rule == OpacityRule::Optimization)
-  {
-    AddSegments(drawables);
-  }
-  const Scene scene{ std::move(drawables), colors };
-  const Frame frame = MakePicture(scene, options);
+  const Frame frame = MakePicture(made.Drawn, options);
   WritePicture(frame.Picture, options.Output);
   if (!options.StatisticsFile.empty())
   {
-    WriteStatistics(statistics, frame.Statistics, options.StatisticsFile);
+    WriteStatistics(made.Statistics, frame.Statistics, options.StatisticsFile);
   }
-}
-
-//------------------------------------------------------------------------------
-int Fail(const std::string& message)
-{
-  std::cerr << "pellucid-render: " << pellucid::MakePrintable(message) << "\n";
-  return 1;
 }
 }
 
@@ -93,17 +62,5 @@ int main(int argc, char* argv[])
   {
     return *exitCode;
   }
-  try
-  {
-    Run(options);
-    return 0;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Fail("out of memory; the input may be damaged, or too large for this machine");
-  }
-  catch (const std::exception& error)
-  {
-    return Fail(error.what());
-  }
+  return pellucid::RunProgram([&options] { Run(options); });
 }

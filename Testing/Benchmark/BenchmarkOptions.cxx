@@ -5,6 +5,7 @@
 
 #include "OptionGroup.h"
 #include "OptionText.h"
+#include "Program.h"
 
 #include <iostream>
 
@@ -118,8 +119,7 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   bool skipsErrors = false;
   std::optional<int> frames;
   std::optional<double> budget;
-  CLI::App app(
-    "Compare methods to draw translucent geometry: time, memory, error.", "pellucid-benchmark");
+  CLI::App app("Compare methods to draw translucent geometry: time, memory, error.", ProgramName);
   app.footer(Examples);
   AddFiles(app, options);
   AddChoices(app, options);
@@ -149,7 +149,7 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   }
   catch (const CLI::ParseError& error)
   {
-    std::cerr << "pellucid-benchmark: " << error.what() << " (see pellucid-benchmark --help)\n";
+    std::cerr << ProgramName << ": " << error.what() << " (see " << ProgramName << " --help)\n";
     exitCode = 2;
   }
   options.Settings.Frames = frames.value_or(isQuick ? QuickFrames : options.Settings.Frames);

@@ -15,16 +15,17 @@
 #include "PictureFile.h"
 #include "PictureWindow.h"
 #include "PlainText.h"
+#include "Program.h"
 #include "RenderError.h"
 #include "Reports.h"
 
 #include "vtkVersion.h"
 #include "vtksys/SystemInformation.hxx"
 
-#include <exception>
 #include <iostream>
-#include <new>
 #include <thread>
+
+const char* const pellucid::ProgramName = "pellucid-benchmark";
 
 namespace
 {
@@ -130,13 +131,6 @@ void Run(const BenchmarkOptions& options)
     PrintTables(figures, std::cout);
   }
 }
-
-//------------------------------------------------------------------------------
-int Fail(const std::string& message)
-{
-  std::cerr << "pellucid-benchmark: " << MakePrintable(message) << "\n";
-  return 1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -149,22 +143,19 @@ int main(int argc, char* argv[])
   {
     return *exitCode;
   }
-  try
-  {
-    Run(options);
-    return 0;
-  }
-  catch (const UnknownName& error)
-  {
-    Fail(error.what());
-    return 2;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Fail("out of memory; choose smaller scenes or sizes, or --no-errors");
-  }
-  catch (const std::exception& error)
-  {
-    return Fail(error.what());
-  }
+  bool isWrongUsage = false;
+  const int result = RunProgram(
+    [&]
+    {
+      try
+      {
+        Run(options);
+      }
+      catch (const UnknownName&)
+      {
+        isWrongUsage = true;
+        throw;
+      }
+    });
+  return isWrongUsage ? 2 : result;
 }

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GLWindow.h"
+
+#include "RenderError.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace pellucid
+{
+namespace
+{
+// VTK's least, and that of the exact pass.
+constexpr std::array<int, 2> OpenGLVersions[] = { { 4, 3 }, { 3, 2 } };
+
+//------------------------------------------------------------------------------
+std::string GetReason()
+{
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "unknown reason";
+}
+
+//------------------------------------------------------------------------------
+GLWindow* GetWindow(GLFWwindow* handle)
+{
+  return static_cast<GLWindow*>(glfwGetWindowUserPointer(handle));
+}
+
+//------------------------------------------------------------------------------
+GLFWwindow* Open(const std::array<int, 2>& size, bool isVisible)
+{
+  for (const auto& version : OpenGLVersions)
+  {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version[0]);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version[1]);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, isVisible ? GLFW_TRUE : GLFW_FALSE);
+    if (GLFWwindow* handle = glfwCreateWindow(size[0], size[1], "Pellucid", nullptr, nullptr))
+    {
+      return handle;
+    }
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+GLWindow::GLWindow(const std::array<int, 2>& size, bool isVisible, WindowListener& listener)
+  : Listener(listener)
+{
+  if (!glfwInit())
+  {
+    throw RenderError("no window can be opened (" + GetReason() +
+      "); run on a display, or under xvfb-run; pellucid-render draws into files");
+  }
+  this->Handle = Open(size, isVisible);
+  if (!this->Handle)
+  {
+    const std::string reason = GetReason();
+    glfwTerminate();
+    throw RenderError(
+      "no window with OpenGL 3.2 or newer can be opened (" + reason + "); update the driver");
+  }
+  glfwMakeContextCurrent(this->Handle);
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(this->Handle, this);
+  this->ListenTo();
+}
+
+//------------------------------------------------------------------------------
+GLWindow::~GLWindow()
+{
+  glfwDestroyWindow(this->Handle);
+  glfwTerminate();
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::ListenTo()
+{
+  glfwSetMouseButtonCallback(this->Handle,
+    [](GLFWwindow* handle, int button, int action, int)
+    {
+      const GLWindow* window = GetWindow(handle);
+      window->Listener.OnButton(button, action == GLFW_PRESS, window->MakePointer());
+    });
+  glfwSetCursorPosCallback(this->Handle,
+    [](GLFWwindow* handle, double, double)
+    {
+      const GLWindow* window = GetWindow(handle);
+      window->Listener.OnMove(window->MakePointer());
+    });
+  glfwSetScrollCallback(this->Handle,
+    [](GLFWwindow* handle, double, double steps)
+    {
+      const GLWindow* window = GetWindow(handle);
+      window->Listener.OnScroll(steps, window->MakePointer());
+    });
+  glfwSetKeyCallback(this->Handle,
+    [](GLFWwindow* handle, int key, int, int action, int)
+    {
+      if (action != GLFW_RELEASE)
+      {
+        GetWindow(handle)->Listener.OnKey(key);
+      }
+    });
+  glfwSetDropCallback(this->Handle,
+    [](GLFWwindow* handle, int count, const char** fileNames) {
+      GetWindow(handle)->Listener.OnDrop({ fileNames, fileNames + count });
+    });
+  glfwSetFramebufferSizeCallback(
+    this->Handle, [](GLFWwindow* handle, int, int) { GetWindow(handle)->Listener.OnRefresh(); });
+  glfwSetWindowRefreshCallback(
+    this->Handle, [](GLFWwindow* handle) { GetWindow(handle)->Listener.OnRefresh(); });
+}
+
+//------------------------------------------------------------------------------
+Pointer GLWindow::MakePointer() const
+{
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(this->Handle, &x, &y);
+  const auto pixels = this->GetSize();
+  const auto isHeld = [this](int left, int right)
+  {
+    return glfwGetKey(this->Handle, left) == GLFW_PRESS ||
+      glfwGetKey(this->Handle, right) == GLFW_PRESS;
+  };
+  const float density = this->GetDensity();
+  return { static_cast<int>(density * x), pixels[1] - 1 - static_cast<int>(density * y),
+    isHeld(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+    isHeld(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) };
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::MakeCurrent()
+{
+  glfwMakeContextCurrent(this->Handle);
+}
+
+//------------------------------------------------------------------------------
+bool GLWindow::IsCurrent() const
+{
+  return glfwGetCurrentContext() == this->Handle;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> GLWindow::GetSize() const
+{
+  std::array<int, 2> size = { 0, 0 };
+  glfwGetFramebufferSize(this->Handle, &size[0], &size[1]);
+  return size;
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::SetSize(const std::array<int, 2>& size)
+{
+  const float density = this->GetDensity();
+  glfwSetWindowSize(
+    this->Handle, static_cast<int>(size[0] / density), static_cast<int>(size[1] / density));
+}
+
+//------------------------------------------------------------------------------
+float GLWindow::GetDensity() const
+{
+  int width = 0;
+  glfwGetWindowSize(this->Handle, &width, nullptr);
+  const int pixels = this->GetSize()[0];
+  return width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
+}
+
+//------------------------------------------------------------------------------
+float GLWindow::GetScale() const
+{
+  float scale = 1.0F;
+  glfwGetWindowContentScale(this->Handle, &scale, nullptr);
+  return scale / this->GetDensity();
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::SetTitle(const std::string& title)
+{
+  glfwSetWindowTitle(this->Handle, title.c_str());
+}
+
+//------------------------------------------------------------------------------
+bool GLWindow::IsClosed() const
+{
+  return glfwWindowShouldClose(this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::Close()
+{
+  glfwSetWindowShouldClose(this->Handle, GLFW_TRUE);
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::SwapBuffers()
+{
+  glfwSwapBuffers(this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void GLWindow::HandleEvents(bool waits)
+{
+  if (waits)
+  {
+    glfwWaitEvents();
+  }
+  else
+  {
+    glfwPollEvents();
+  }
+}
+}
