@@ -405,6 +405,9 @@ void vtkExactTransparencyPass::BeginSweeps(
   const vtkMTimeType shaderTime = gpu.Gather.GetShaderTime();
   gpu.Gather.SetFormat(gpu.Opaque.GetSamples(), internal.StoresImportance);
   gpu.Stages.SetStoresImportance(internal.StoresImportance);
+  // Opacities that are yet to be found may show them, and some views do.
+  const bool keepsHidden = internal.StoresImportance || this->View != VIEW_PICTURE;
+  gpu.Stages.SetKeepsHidden(keepsHidden);
   // Factors stay in the lists where no others are found.
   const bool hasOldFactors = gpu.HasAvoided && !internal.HasAvoidance();
   const bool isSame = !hasOldFactors && shaderTime == gpu.Gather.GetShaderTime() &&
@@ -425,6 +428,7 @@ void vtkExactTransparencyPass::BeginSweeps(
   frame.Picture = picture;
   frame.LimitBytes = this->MemoryLimit * BytesPerMiB;
   frame.StoresImportance = internal.StoresImportance;
+  frame.KeepsHidden = keepsHidden;
   frame.DrawProps = [this, state]
   {
     Internals::Resources& resources = *this->Internal->GPU;

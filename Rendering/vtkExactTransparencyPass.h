@@ -16,7 +16,8 @@
  * 2. `copy`    - colour and depth of the opaque scene into textures, sample by sample
  * 3. `gather`  - the geometry is drawn once; each fragment in front of the opaque scene is appended
  *                to its pixel's linked list
- * 4. `sort`    - each list is sorted by depth in place
+ * 4. `sort`    - each list is sorted by depth in place, as far as it can be seen where no opacities
+ *                are yet to be found
  * 5. `solve`   - where opacities are optimised (vtkOpacityOptimization): the optimal opacity of
  *                each fragment, and the least one of each segment
  * 6. `smooth`  - the opacities of segments are smoothed along lines and surfaces

@@ -86,8 +86,8 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImpor
   definitions.Define("OPTIMIZE", storesImportance ? 1 : 0);
   definitions.Define("SAMPLES", samples);
   definitions.Define("MAXIMUM_SHADER_LIST", MaximumShaderList);
-  // The sort takes up to one run more before it leaves a list to the CPU.
-  definitions.Define("LONGEST_SORTED_LIST", MaximumShaderList + RunLength);
+  // The sort takes one node more before it leaves a list to the CPU.
+  definitions.Define("LONGEST_SORTED_LIST", MaximumShaderList + 1);
   definitions.Define("COLLAPSED", CollapsedBit);
   definitions.Define("TIED", TiedBit);
   definitions.Define("BLOCK_SIDE", BlockSide);
@@ -96,6 +96,9 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImpor
   definitions.Define("RUN_LENGTH", RunLength);
   definitions.Define("LIST_LEVELS", GetNumberOfListLevels());
   definitions.Define("NEGLIGIBLE_TRANSMITTANCE", "(1.0 / 8192.0)");
+  // A little less, since the sort multiplies in another order than the resolve.
+  definitions.Define("HIDDEN_TRANSMITTANCE", "(0.99 / 8192.0)");
+  definitions.Define("LONG_LIST_HEAD", LongListHead);
   return definitions.GetText();
 }
 
@@ -137,8 +140,8 @@ bool vtkFragmentLists::Reserve(
   const bool allocated = this->Allocate(Heads, GetHeadsBytes(tileSize)) &&
     this->Allocate(Links, nodeElements * static_cast<vtkIdType>(sizeof(Link))) &&
     this->Allocate(Colors, nodeElements * static_cast<vtkIdType>(sizeof(Color))) &&
-    this->Allocate(
-      LongLists, longLists * (1 + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t))) &&
+    this->Allocate(LongLists,
+      longLists * (LongListHead + samples) * static_cast<vtkIdType>(sizeof(std::uint32_t))) &&
     (!storesImportance ||
       (this->Allocate(Importances, nodeElements * static_cast<vtkIdType>(sizeof(Importance))) &&
         this->Allocate(Positions, nodeElements * static_cast<vtkIdType>(sizeof(Position)))));
@@ -232,7 +235,7 @@ void vtkFragmentLists::ForLongLists(
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const std::uint32_t* entry = entries.Data + i * (1 + samples);
+        const std::uint32_t* entry = entries.Data + i * (LongListHead + samples);
         work(i, nodes, pixelHeads[entry[0]], entry);
       }
     });
@@ -259,8 +262,9 @@ vtkIdType vtkFragmentLists::MeasureLongLists(std::uint32_t count, int samples)
 {
   std::vector<vtkIdType> lengths(count);
   this->ForLongLists(count, samples, false,
-    [&](vtkIdType i, const Nodes& nodes, std::uint32_t head, const std::uint32_t*)
+    [&](vtkIdType i, const Nodes& nodes, std::uint32_t head, const std::uint32_t* entry)
     {
+      lengths[i] = entry[1];
       for (std::uint32_t node = head; node != 0; node = nodes.Links[node].Next)
       {
         ++lengths[i];
@@ -280,7 +284,7 @@ void vtkFragmentLists::CollapseLongLists(std::uint32_t count, int samples,
       list.Fade(opacities);
       avoid(list, entry[0]);
       list.Show(view);
-      list.Collapse(entry + 1, samples);
+      list.Collapse(entry + LongListHead, samples);
       head |= CollapsedBit;
     });
 }

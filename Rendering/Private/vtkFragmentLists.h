@@ -9,7 +9,7 @@
  * | Heads      | uint    | counters, first node of each pixel, flags of each block of pixels  |
  * | Links      | uvec2   | next node (0: none), window depth as bits                          |
  * | Colors     | uvec2   | straight colour and opacity, 64 bits                               |
- * | LongLists  | uint    | lists for the CPU: pixel, then opaque depth of each sample         |
+ * | LongLists  | uint    | lists for the CPU: pixel, dropped nodes, opaque depth of samples   |
  * | Importances | uvec2  | importance as bits, segment; where they decide on opacities        |
  * | Positions  | uvec2   | between which opacities; where these follow from importance        |
  *
@@ -54,6 +54,9 @@ public:
   static constexpr std::uint32_t BlockHasTies = 2u;
   static vtkIdType GetNumberOfBlocks(const std::array<int, 2>& tileSize);
   ///@}
+
+  /** Elements of LongLists for each list, before those of the samples. */
+  static constexpr int LongListHead = 2;
 
   /** In a head: the CPU has collapsed the list. */
   static constexpr std::uint32_t CollapsedBit = 0x80000000u;

@@ -124,21 +124,28 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
 }
 
 //------------------------------------------------------------------------------
+void vtkFragmentStages::DrawSort(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+  const vtkPixelRectangle& tile, std::uint32_t blocks, bool breaksTies)
+{
+  vtkShaderDefinitions definitions;
+  definitions.Define("BREAK_TIES", breaksTies ? 1 : 0);
+  definitions.Define("DROPS_HIDDEN", this->KeepsHidden ? 0 : 1);
+  this->Draw(window, opaque, tile, blocks, vtkFragmentSortFS, definitions.GetText());
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
 void vtkFragmentStages::Sort(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasFragments, vtkFragmentSortFS,
-    "#define PELLUCID_BREAK_TIES 0\n");
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->DrawSort(window, opaque, tile, vtkFragmentLists::BlockHasFragments, false);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentStages::BreakTies(
   vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile)
 {
-  this->Draw(window, opaque, tile, vtkFragmentLists::BlockHasTies, vtkFragmentSortFS,
-    "#define PELLUCID_BREAK_TIES 1\n");
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->DrawSort(window, opaque, tile, vtkFragmentLists::BlockHasTies, true);
 }
 
 //------------------------------------------------------------------------------

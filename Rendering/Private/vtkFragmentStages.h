@@ -32,7 +32,8 @@ public:
 
   ///@{
   /**
-   * Sort the lists of the tile by depth, in place. The framebuffer must have no colour buffer, or
+   * Sort the lists of the tile by depth, in place; where these are not kept, without fragments that
+   * cannot be seen for those in front of them. The framebuffer must have no colour buffer, or
    * colour writes must be off. Where that has counted ties, the second must follow: it orders the
    * fragments of equal depth.
    */
@@ -40,6 +41,7 @@ public:
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
   void BreakTies(
     vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque, const vtkPixelRectangle& tile);
+  void SetKeepsHidden(bool keeps) { this->KeepsHidden = keeps; }
   ///@}
 
   /**
@@ -86,7 +88,11 @@ private:
     const vtkPixelRectangle& tile, std::uint32_t blocks, const char* fragmentShader,
     const vtkPixelAttributes& attributes);
 
+  void DrawSort(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer& opaque,
+    const vtkPixelRectangle& tile, std::uint32_t blocks, bool breaksTies);
+
   bool StoresImportance = false;
+  bool KeepsHidden = true;
   vtkStageDraw Stage;
 };
 

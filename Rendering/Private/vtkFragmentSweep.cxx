@@ -30,9 +30,10 @@ void vtkFragmentSweep::Begin(const Frame& frame, bool isSame)
 {
   // Nodes of another size would be as many as before.
   const bool isOtherFormat = this->Current.StoresImportance != frame.StoresImportance;
+  const bool lacksHidden = frame.KeepsHidden && !this->Current.KeepsHidden;
   this->Current = frame;
   this->Gathers = 0;
-  this->HasAll = this->HasAll && isSame;
+  this->HasAll = this->HasAll && isSame && !lacksHidden;
   if (isOtherFormat || this->Lists.GetBytes() > frame.LimitBytes)
   {
     this->Lists.Release();

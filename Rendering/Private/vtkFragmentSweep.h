@@ -37,6 +37,7 @@ public:
     vtkPixelRectangle Picture;
     vtkIdType LimitBytes = 0;
     bool StoresImportance = false;
+    bool KeepsHidden = true;         ///< fragments that cannot be seen for those in front of them
     std::function<void()> DrawProps; ///< appends all fragments to the lists, which are bound
   };
 

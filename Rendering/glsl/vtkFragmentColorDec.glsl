@@ -18,9 +18,14 @@ uvec2 pellucidPackColor(vec3 color, float opacity)
   return uvec2(rgb.b | (rgb.g << 13) | (rgb.r << 26), (rgb.r >> 6) | (alpha << 7));
 }
 
+float pellucidUnpackOpacity(uvec2 words)
+{
+  return uintBitsToFloat((words.y >> 7) << 6);
+}
+
 vec4 pellucidUnpackColor(uvec2 words)
 {
   uvec3 rgb =
     uvec3((words.x >> 26) | ((words.y & 127u) << 6), (words.x >> 13) & 8191u, words.x & 8191u);
-  return vec4(vec3(rgb) / 8191.0, uintBitsToFloat((words.y >> 7) << 6));
+  return vec4(vec3(rgb) / 8191.0, pellucidUnpackOpacity(words));
 }

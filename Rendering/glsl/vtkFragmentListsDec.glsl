@@ -32,7 +32,8 @@ layout(std430, binding = PELLUCID_COLORS_BINDING) buffer PellucidColors
   uvec2 pellucidColors[];
 };
 
-// For each long list: pixel, then the depth of each sample of the opaque scene
+// For each long list: pixel, nodes that the sort has dropped, then the depth of each sample of the opaque
+// scene
 layout(std430, binding = PELLUCID_LONG_LISTS_BINDING) buffer PellucidLongLists
 {
   uint pellucidLongLists[];

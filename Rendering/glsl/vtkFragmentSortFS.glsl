@@ -12,8 +12,12 @@
 // such lists again for these (PELLUCID_BREAK_TIES). A comparison that also knows what to do with ties
 // costs software renderers half of the sort, since they execute branches that no pixel takes.
 //
-// Reads and writes: links, heads. Reads, for ties: colours, importances, positions. Writes: whether
-// there are ties, the longest list, the long lists. No colour output.
+// With PELLUCID_DROPS_HIDDEN, merging ends where the rest of a list cannot be seen, and nodes that come
+// later and lie behind that are not sorted at all: what a part of a list hides, the whole list hides.
+// Fragments of equal depth stay together, since their order is not known before ties are broken.
+//
+// Reads and writes: links, heads. Reads, for ties: colours, importances, positions; to drop: colours.
+// Writes: whether there are ties, the longest list, the long lists. No colour output.
 
 //VTK::Pellucid::Lists
 //VTK::Pellucid::Importance
@@ -64,9 +68,24 @@ bool isBefore(uint a, uint depthA, uint b, uint depthB)
   return depthA < depthB;
 }
 
+#if PELLUCID_DROPS_HIDDEN
+uint hiddenDepth = 0xffffffffu; // what is not nearer cannot be seen
+
+// Whether a sorted list that so far lets `transmittance` through hides the node behind
+bool hides(float transmittance, uint last, uint depth)
+{
+  bool isHidden = transmittance < PELLUCID_HIDDEN_TRANSMITTANCE && pellucidLinks[last].y != depth;
+  hiddenDepth = isHidden ? min(hiddenDepth, depth) : hiddenDepth;
+  return isHidden;
+}
+#endif
+
 // Both lists are not empty
 uint merge(uint a, uint b)
 {
+#if PELLUCID_DROPS_HIDDEN
+  float transmittance = 1.0;
+#endif
   uint depthA = pellucidLinks[a].y;
   uint depthB = pellucidLinks[b].y;
   uint first = 0u;
@@ -76,6 +95,13 @@ uint merge(uint a, uint b)
     bool takeB = isBefore(b, depthB, a, depthA);
     uint node = takeB ? b : a;
     uint next = pellucidLinks[node].x;
+#if PELLUCID_DROPS_HIDDEN
+    if (hides(transmittance, last, takeB ? depthB : depthA))
+    {
+      break;
+    }
+    transmittance *= 1.0 - pellucidUnpackOpacity(pellucidColors[node]);
+#endif
     if (last == 0u)
     {
       first = node;
@@ -97,18 +123,23 @@ uint merge(uint a, uint b)
       depthA = nextDepth;
     }
   }
-  pellucidLinks[last].x = a != 0u ? a : b;
+  uint rest = a == 0u || b != 0u && depthB < depthA ? b : a;
+#if PELLUCID_DROPS_HIDDEN
+  rest = hides(transmittance, last, pellucidLinks[rest].y) ? 0u : rest;
+#endif
+  pellucidLinks[last].x = rest;
   return first;
 }
 
-void noteLongList(int pixel)
+void noteLongList(int pixel, uint dropped)
 {
   // There is room for all: the buffer has an entry for every PELLUCID_MAXIMUM_SHADER_LIST nodes.
-  uint entry = atomicAdd(pellucidLongListCount, 1u) * uint(1 + PELLUCID_SAMPLES);
+  uint entry = atomicAdd(pellucidLongListCount, 1u) * uint(PELLUCID_LONG_LIST_HEAD + PELLUCID_SAMPLES);
   pellucidLongLists[entry] = uint(pixel);
+  pellucidLongLists[entry + 1u] = dropped;
   for (int sampleIndex = 0; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
   {
-    pellucidLongLists[entry + 1u + uint(sampleIndex)] =
+    pellucidLongLists[entry + uint(PELLUCID_LONG_LIST_HEAD + sampleIndex)] =
       floatBitsToUint(pellucidOpaqueLimit(ivec2(gl_FragCoord.xy), sampleIndex));
   }
 }
@@ -138,9 +169,17 @@ void main()
     nodes[0] = 0u;
     depths[0] = 0u;
     int count = 0;
-    while (node != 0u && count < PELLUCID_RUN_LENGTH)
+    while (node != 0u && count < PELLUCID_RUN_LENGTH && length <= uint(PELLUCID_MAXIMUM_SHADER_LIST))
     {
       uvec2 link = pellucidLinks[node];
+      ++length;
+#if PELLUCID_DROPS_HIDDEN
+      if (link.y >= hiddenDepth)
+      {
+        node = link.x;
+        continue;
+      }
+#endif
       int slot = count;
       while (slot > 0 && isBefore(node, link.y, nodes[slot - 1], depths[slot - 1]))
       {
@@ -153,13 +192,12 @@ void main()
       ++count;
       node = link.x;
     }
-    length += uint(count);
     for (int i = 0; i < count; ++i)
     {
       pellucidLinks[nodes[i]].x = i + 1 < count ? nodes[i + 1] : 0u;
     }
     sorted = nodes[0];
-    if (node != 0u || length > uint(PELLUCID_RUN_LENGTH))
+    if (count > 0 && (node != 0u || length > uint(PELLUCID_RUN_LENGTH)))
     {
       int level = 0;
       while ((runs >> level & 1u) != 0u)
@@ -187,12 +225,14 @@ void main()
   {
     // The nodes that have been read are in `sorted`; hang the rest behind them.
     uint last = sorted;
-    for (uint i = 1u; i < length; ++i)
+    uint kept = 1u;
+    while (pellucidLinks[last].x != 0u)
     {
       last = pellucidLinks[last].x;
+      ++kept;
     }
     pellucidLinks[last].x = node;
-    noteLongList(pixel);
+    noteLongList(pixel, length - kept);
   }
   else
   {
