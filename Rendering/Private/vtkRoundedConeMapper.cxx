@@ -701,7 +701,6 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   }
   program->SetUniformMatrix("nodeVCMatrix", originToView);
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
-  program->SetUniformMatrix("DCVCMatrix", this->ClipToView);
   program->SetUniformMatrix("pixelVCMatrix", this->GetPixelToView(renderer));
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
   this->SetFrustum(program);

@@ -7,8 +7,6 @@
 uniform mat4 VCDCMatrix;
 uniform mat4 pixelVCMatrix;  // window coordinates to VC
 uniform float perspective;
-smooth in vec3 quadLC;
-flat in vec2 rayLC;
 flat in vec3 centerVC;
 flat in vec3 axisVC;
 flat in vec3 sideVC;
@@ -34,14 +32,36 @@ struct ConeRay
   float root;  // square root of the discriminant; negative: the ray misses
 };
 
+vec3 viewToSegment(vec3 v)
+{
+  return vec3(dot(v, axisVC), dot(v, sideVC), dot(v, cross(axisVC, sideVC)));
+}
+
+// The direction of the pixel's view ray in VC, with z = -1.
+vec3 pixelDirection()
+{
+  vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
+  return vec3(perspective > 0.5 ? pixel.xy / -pixel.z : vec2(0.0), -1.0);
+}
+
+// Where the ray passes the plane z = point.z, as seen from there, in VC.
+vec3 pixelOrigin(vec3 direction, vec3 point)
+{
+  vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
+  return vec3((perspective > 0.5 ? direction.xy * -point.z : pixel.xy) - point.xy, 0.0);
+}
+
+// From the centre of the pixel: what a quad has there depends on where OpenGL rounds its corners to.
 ConeRay viewRay()
 {
   float slope = coneShape.z;
   ConeRay ray;
-  ray.direction = normalize(vec3(rayLC, 0.0) + perspective * quadLC);
+  vec3 directionVC = pixelDirection();
+  vec3 point = viewToSegment(pixelOrigin(directionVC, centerVC));
+  ray.direction = normalize(viewToSegment(directionVC));
   vec2 aside = ray.direction.yz;
   float a = dot(aside, aside);
-  ray.origin = quadLC - dot(quadLC.yz, aside) / max(a, 1e-6) * ray.direction;
+  ray.origin = point - dot(point.yz, aside) / max(a, 1e-6) * ray.direction;
   float c2 = 1.0 - slope * slope;
   float f = coneShape.y - slope * ray.origin.x;
   ray.k = vec3(c2 * dot(ray.origin.yz, ray.origin.yz) - f * f,
@@ -103,10 +123,8 @@ float sideOfJoint(bool atEnd, float side)
   vec3 before = atEnd ? axisVC : beforeVC;
   vec3 after = atEnd ? afterVC : axisVC;
   vec3 normal = before + after;
-  vec4 pixel = pixelVCMatrix * vec4(gl_FragCoord.xy, 0.0, 1.0);
-  vec3 direction = vec3(perspective > 0.5 ? pixel.xy / -pixel.z : vec2(0.0), -1.0);
-  vec3 origin =
-    vec3((perspective > 0.5 ? direction.xy * -joint.z : pixel.xy) - joint.xy, 0.0);
+  vec3 direction = pixelDirection();
+  vec3 origin = pixelOrigin(direction, joint);
   float climb = dot(normal, direction);
   vec3 crossing = origin - dot(normal, origin) / climb * direction;
 

@@ -13,13 +13,10 @@
 // y in the plane of axis and view ray, z across.
 
 uniform mat4 VCDCMatrix;
-uniform mat4 DCVCMatrix;
 uniform mat4 pixelVCMatrix;  // window coordinates to VC
 uniform vec4 frustumVC[6];  // inward planes, unit normals
 uniform float perspective;  // 1, or 0 for parallel projection
 
-smooth out vec3 quadLC;      // the point of the quad
-flat out vec2 rayLC;         // xy of the way from the eye to the LC origin; parallel: view direction
 flat out vec3 centerVC;      // the LC origin
 flat out vec3 axisVC;        // the LC x axis
 flat out vec3 sideVC;        // the LC y axis
@@ -156,8 +153,6 @@ void main()
   // What is not drawn shrinks to a point. Outside the view it would be clipped, and Mesa's software
   // driver clips all quads of a batch one by one if it has to clip any.
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  quadLC = vec3(0.0);
-  rayLC = vec2(0.0);
   centerVC = vec3(0.0);
   axisVC = vec3(0.0);
   sideVC = vec3(0.0);
@@ -235,7 +230,8 @@ void main()
   vec3 wide = cross(axisVC, view);
   wide = dot(wide, wide) > 1e-10 * dot(view, view) ? normalize(wide) : anyNormal(axisVC);
   sideVC = cross(wide, axisVC);
-  rayLC = vec2(dot(view, axisVC), dot(view, sideVC));
+  // xy of the way from the eye to the LC origin; parallel: view direction
+  vec2 rayLC = vec2(dot(view, axisVC), dot(view, sideVC));
   float halfLength = 0.5 * len;
   float middleRadius = 0.5 * (r1 + r2);
   float slope = len > 0.0 ? (r1 - r2) / len : 0.0;
@@ -300,11 +296,7 @@ void main()
 
   if (whole)
   {
-    // the quad is the view itself, on a plane about as far away as the segment
-    vec4 near = DCVCMatrix * vec4(2.0 * corner - 1.0, -1.0, 1.0);
-    vec3 nearVC = near.xyz / near.w;
-    float scale = (middleRadius + halfLength + length(centerVC)) / max(-nearVC.z, 1e-30);
-    quadLC = toLC * (nearVC * scale - centerVC);
+    // the quad is the view itself
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
     return;
   }
@@ -316,7 +308,7 @@ void main()
   sides += vec2(-margin, margin);
   float along = mix(sides.x, sides.y, corner.x) * planeDistance - foot;
   float aside = mix(widths.x, widths.y, corner.x) * planeDistance * (2.0 * corner.y - 1.0);
-  quadLC = vec3(across * along, aside);
+  vec3 quadLC = vec3(across * along, aside);
   vec4 position = VCDCMatrix * vec4(centerVC + transpose(toLC) * quadLC, 1.0);
   // The hit points may lie on the other side of the near plane than the quad: clip at the eye only.
   gl_Position = vec4(position.xy, 0.0, position.w);

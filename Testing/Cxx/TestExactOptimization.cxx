@@ -14,7 +14,9 @@ bool TestLines()
   for (const int steps : { 0, 5, 40 })
   {
     SphereScene scene(300, 300, 0, 0, 0);
-    vtkActor* lines = AddLines(scene, MakeSegmentedLines(40, 600), 0.04, 1.0);
+    const auto data = MakeSegmentedLines(40, 600);
+    data->SetVerts(nullptr); // in the ends of the tubes rounding would decide which is in front
+    vtkActor* lines = AddLines(scene, data, 0.04, 1.0);
     Optimize(lines, 50.0, 100.0, 3.0, steps, steps == 5);
     success &= Compare(scene, "lines, " + std::to_string(steps) + " steps");
   }
