@@ -8,6 +8,9 @@
  * from the client alone. With remote rendering only the server knows what a picture has cost: there
  * they are read from it, of several processes from the first.
  *
+ * @par Reference
+ * None: ParaView's own way to statistics.
+ *
  * @sa vtkPellucidRepresentation
  */
 
