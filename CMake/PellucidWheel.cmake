@@ -32,4 +32,5 @@ install(DIRECTORY "${pellucid_stubs}/" DESTINATION pellucid)
 set(CMAKE_INSTALL_BINDIR "pellucid/bin")
 set(CMAKE_INSTALL_LIBDIR "")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../../vtkmodules")
+set(PELLUCID_BUILD_VIEWER OFF) # it needs libraries that a wheel does not bring
 add_subdirectory(Rendering/Applications)
