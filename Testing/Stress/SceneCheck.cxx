@@ -123,8 +123,7 @@ bool IsSteep(const SceneDescription& scene, const PropDescription& prop)
  */
 bool HasReference(const SceneDescription& scene)
 {
-  const bool keepsDepths = scene.ParallelProjection || scene.NearToFar <= 1e3;
-  return keepsDepths &&
+  return KeepsDepths(scene) &&
     std::none_of(scene.Props.begin(), scene.Props.end(),
       [&](const PropDescription& prop)
       {
