@@ -14,7 +14,11 @@ bool TestLines()
   for (const int steps : { 0, 5, 40 })
   {
     SphereScene scene(300, 300, 0, 0, 0);
-    vtkActor* lines = AddLines(scene, MakeSegmentedLines(40, 600), 0.04, 1.0);
+    auto data = MakeSegmentedLines(40, 600);
+    // A ball and the cap of its line have the same depths: which of their segments hides the other
+    // is a matter of rounding.
+    data->SetVerts(nullptr);
+    vtkActor* lines = AddLines(scene, data, 0.04, 1.0);
     Optimize(lines, 50.0, 100.0, 3.0, steps, steps == 5);
     success &= Compare(scene, "lines, " + std::to_string(steps) + " steps");
   }
