@@ -114,9 +114,11 @@ vec3 segmentToView(vec3 v)
 
 // Two segments compute the point where the ray hits them at their joint with different rounding: by
 // the points, both or none of them may own it. So near a joint plane the side (by the sign; negative:
-// that of the segment before) follows from values that both compute in the same way, from joint, directions and
-// pixel: a ray that crosses the plane inside the tube enters the tube before and leaves it after,
-// one that crosses outside hits the tube on the side where it is nearest to the joint.
+// that of the segment before) follows from values that both compute in the same way, from joint,
+// directions and pixel. A ray that crosses the plane inside the tube enters the tube before and
+// leaves it after. One that crosses outside of a segment, which is convex, hits it on the side where
+// the ray is nearest to the ball that is nearest to the crossing. On the outside of a bend that is
+// the joint's, for both segments; on the inside the ray may hit both of them.
 float sideOfJoint(bool atEnd, float side)
 {
   vec3 joint = atEnd ? endJointVC : startJointVC;
@@ -126,6 +128,10 @@ float sideOfJoint(bool atEnd, float side)
   vec3 direction = pixelDirection();
   vec3 origin = pixelOrigin(direction, joint);
   float climb = dot(normal, direction);
+  if (climb == 0.0)
+  {
+    return dot(normal, origin);
+  }
   vec3 crossing = origin - dot(normal, origin) / climb * direction;
 
   // In the plane the two axes lie opposite to each other.
@@ -137,8 +143,9 @@ float sideOfJoint(bool atEnd, float side)
     inward - aside * slope * inversesqrt(1.0 - slope * slope), 0.0, 2.0 * coneShape.x);
   vec2 way = vec2(inward - ball, aside);
   float reach = radius - slope * ball;
+  vec3 fromBall = origin - ball * (atEnd ? -axisVC : axisVC);
   float nearest =
-    dot(normal, origin) * dot(direction, direction) - dot(origin, direction) * climb;
+    dot(normal, origin) * dot(direction, direction) - dot(fromBall, direction) * climb;
   return dot(way, way) <= reach * reach ? side * climb : nearest;
 }
 

@@ -61,10 +61,12 @@ vec4 jointPlane(vec3 normal, vec3 point)
   return dot(normal, normal) > 0.0 ? vec4(normal, -dot(normal, point)) : NO_PLANE;
 }
 
+// The vector may be 0, for a ball around the eye.
 vec3 anyNormal(vec3 v)
 {
   vec3 other = abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-  return normalize(cross(v, other));
+  vec3 normal = cross(v, other);
+  return dot(normal, normal) > 0.0 ? normalize(normal) : other;
 }
 
 // What bounds the quad at one end of a segment: a ball, or where a joint cuts the ball off, a disc.

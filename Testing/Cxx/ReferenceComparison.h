@@ -17,7 +17,12 @@
 #include "vtkTable.h"
 #include "vtkTransparencyInstaller.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <utility>
 #include <vector>
 
 /**
@@ -28,6 +33,12 @@
  * that is extrapolated beyond the edge. Such a pixel is explained when it shows, within 16 of 255,
  * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
  * silhouette pixel and not measured.
+ *
+ * Through smoothed attributes or the least opacity of a segment, such a pixel decides on others
+ * too. Displacing all rays together does not show what the one and not the next does, but it shows
+ * which pixels depend on such decisions, and how much: their colours differ from displacement to
+ * displacement. A pixel that is within the range of these colours, widened by half of it on either
+ * side for decisions that add up, is counted as a dependent pixel, one of the unexplained ones.
  *
  * `tolerance` is in steps of 8 bits: 1, or 2 where VTK rounds twice. Where our pass draws into a
  * window with alpha bit planes, alpha is compared too.
@@ -42,7 +53,7 @@ public:
     , Tolerance(tolerance)
   {
     const std::vector<double> reference = this->RenderReference(0.0, 0.0);
-    std::vector<std::size_t> doubtful;
+    std::vector<DoubtfulPixel> doubtful;
     MeanSquare picture;
     MeanSquare covered;
     for (std::size_t pixel = 0; pixel < reference.size() / 4; ++pixel)
@@ -50,7 +61,7 @@ public:
       const double difference = this->GetDifference(reference, pixel);
       if (difference > this->Tolerance)
       {
-        doubtful.push_back(pixel);
+        doubtful.push_back({ pixel, ColorRange(&reference[4 * pixel]) });
         continue;
       }
       this->LargestDifference = std::max(this->LargestDifference, difference);
@@ -66,7 +77,7 @@ public:
     }
     this->RootMeanSquare = picture.GetRoot();
     this->CoveredRootMeanSquare = covered.GetRoot();
-    this->Explain(doubtful);
+    this->Explain(std::move(doubtful));
   }
 
   /// Over the whole picture, and over the pixels with translucent fragments alone.
@@ -75,6 +86,8 @@ public:
   double GetLargestDifference() const { return this->LargestDifference; }
   vtkIdType GetSilhouettePixels() const { return this->SilhouettePixels; }
   vtkIdType GetUnexplainedPixels() const { return this->UnexplainedPixels; }
+  /// Of the unexplained ones.
+  vtkIdType GetDependentPixels() const { return this->DependentPixels; }
   vtkIdType GetNumberOfFragments() const { return this->Fragments; }
   vtkIdType GetLongestList() const { return this->LongestList; }
 
@@ -114,6 +127,45 @@ private:
   private:
     double Sum = 0.0;
     std::size_t Count = 0;
+  };
+
+  /** Of RGBA in [0,1]. */
+  class ColorRange
+  {
+  public:
+    explicit ColorRange(const double* color)
+    {
+      std::copy_n(color, 4, this->Least.begin());
+      this->Largest = this->Least;
+    }
+
+    void Add(const double* color)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        this->Least[i] = std::min(this->Least[i], color[i]);
+        this->Largest[i] = std::max(this->Largest[i], color[i]);
+      }
+    }
+
+    /// How far a value is outside of the range with a margin of half its width; 0 inside.
+    double GetExcess(int component, double value) const
+    {
+      const double least = this->Least[component];
+      const double largest = this->Largest[component];
+      const double margin = 0.5 * (largest - least);
+      return std::max({ least - margin - value, value - largest - margin, 0.0 });
+    }
+
+  private:
+    std::array<double, 4> Least;
+    std::array<double, 4> Largest;
+  };
+
+  struct DoubtfulPixel
+  {
+    std::size_t Index;
+    ColorRange Range; // over the displacements
   };
 
   static constexpr double SilhouetteTolerance = 16.0;
@@ -184,7 +236,19 @@ private:
     return largest;
   }
 
-  void Explain(std::vector<std::size_t> doubtful)
+  bool IsDependent(const DoubtfulPixel& pixel) const
+  {
+    double largest = 0.0;
+    for (int i = 0; i < (this->HasAlpha ? 4 : 3); ++i)
+    {
+      const double shown = this->Shown.Rgba[4 * pixel.Index + i] / 255.0;
+      largest = std::max(largest, 255.0 * pixel.Range.GetExcess(i, shown));
+    }
+    // As an 8-bit picture would show it.
+    return largest <= this->Tolerance + 0.5;
+  }
+
+  void Explain(std::vector<DoubtfulPixel> doubtful)
   {
     const vtkIdType fragments = this->Fragments;
     const vtkIdType longest = this->LongestList;
@@ -200,16 +264,25 @@ private:
       const std::vector<double> reference =
         this->RenderReference(step * direction[0], step * direction[1]);
       doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                       [&](std::size_t pixel)
-                       { return this->GetDifference(reference, pixel) <= SilhouetteTolerance; }),
+                       [&](const DoubtfulPixel& pixel) {
+                         return this->GetDifference(reference, pixel.Index) <= SilhouetteTolerance;
+                       }),
         doubtful.end());
+      for (DoubtfulPixel& pixel : doubtful)
+      {
+        pixel.Range.Add(&reference[4 * pixel.Index]);
+      }
     }
+    this->SilhouettePixels = static_cast<vtkIdType>(all - doubtful.size());
+    this->UnexplainedPixels = static_cast<vtkIdType>(doubtful.size());
+    doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
+                     [this](const DoubtfulPixel& pixel) { return this->IsDependent(pixel); }),
+      doubtful.end());
+    this->DependentPixels = this->UnexplainedPixels - static_cast<vtkIdType>(doubtful.size());
     for (std::size_t i = 0; i < std::min<std::size_t>(doubtful.size(), 5); ++i)
     {
-      this->Describe(doubtful[i]);
+      this->Describe(doubtful[i].Index);
     }
-    this->UnexplainedPixels = static_cast<vtkIdType>(doubtful.size());
-    this->SilhouettePixels = static_cast<vtkIdType>(all - doubtful.size());
     this->Fragments = fragments;
     this->LongestList = longest;
   }
@@ -242,6 +315,7 @@ private:
   double CoveredRootMeanSquare = 0.0;
   double LargestDifference = 0.0;
   vtkIdType SilhouettePixels = 0;
+  vtkIdType DependentPixels = 0;
   vtkIdType UnexplainedPixels = 0;
   vtkIdType Fragments = 0;
   vtkIdType LongestList = 0;

@@ -15,7 +15,9 @@ bool TestLines()
   {
     SphereScene scene(300, 300, 0, 0, 0);
     const auto data = MakeSegmentedLines(40, 600);
-    data->SetVerts(nullptr); // in the ends of the tubes rounding would decide which is in front
+    // A ball and the cap of its line have the same depths: which of their segments hides the other
+    // is a matter of rounding.
+    data->SetVerts(nullptr);
     vtkActor* lines = AddLines(scene, data, 0.04, 1.0);
     Optimize(lines, 50.0, 100.0, 3.0, steps, steps == 5);
     success &= Compare(scene, "lines, " + std::to_string(steps) + " steps");

@@ -110,6 +110,49 @@ bool TestThinTubes()
   return passed;
 }
 
+/** A line that turns nearly back, on whose joint plane its two tubes meet in a seam above the x
+ * axis. */
+vtkSmartPointer<vtkPolyData> MakeHairpin()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(2.0, 0.4, 0.0);
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(2.0, -0.4, 0.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1, 2 });
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
+// A tenth of a radius at the seam: rays cross the joint plane outside the tubes and enter one of
+// them just behind it.
+bool TestSeamOfASharpBend()
+{
+  bool passed = true;
+  for (const bool parallel : { false, true })
+  {
+    for (const double aside : { -0.1, 0.0, 0.1 })
+    {
+      SphereScene scene(200, 150, 0, 0, 0);
+      AddLines(scene, MakeHairpin(), 0.1, 0.5);
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetFocalPoint(0.25, 0.0, 0.087);
+      camera->SetPosition(0.25 - 4.0, aside * 5.0, 0.087 + 3.0);
+      camera->SetViewUp(0, 0, 1);
+      camera->SetViewAngle(0.12);
+      camera->SetParallelProjection(parallel);
+      camera->SetParallelScale(0.005);
+      scene.Renderer->ResetCameraClippingRange();
+      passed &= Compare(scene,
+        std::string("seam of a sharp bend, ") + (parallel ? "parallel, " : "perspective, ") +
+          std::to_string(aside));
+    }
+  }
+  return passed;
+}
+
 bool TestClippingPlanes()
 {
   SphereScene scene(320, 240, 0, 0, 0);
@@ -192,6 +235,7 @@ int TestExactTrajectories(int, char*[])
   passed &= TestEyeInsideATube();
   passed &= TestDenseJoints();
   passed &= TestThinTubes();
+  passed &= TestSeamOfASharpBend();
   passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
   passed &= TestOnePixel();

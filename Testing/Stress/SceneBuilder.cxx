@@ -439,6 +439,12 @@ bool IsOpaque(const PropDescription& prop)
 }
 
 //------------------------------------------------------------------------------
+bool KeepsDepths(const SceneDescription& scene)
+{
+  return scene.ParallelProjection || scene.NearToFar <= 1e3;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeData(
   const SceneDescription& scene, const PropDescription& prop, BuildOrder order)
 {
@@ -475,21 +481,16 @@ vtkSmartPointer<vtkActor> MakeActor(
 vtkSmartPointer<vtkRenderer> MakeRenderer(const SceneDescription& scene, BuildOrder order)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  for (const PropDescription& prop : scene.Props)
+  std::vector<PropDescription> props = scene.Props;
+  const auto fixed = std::stable_partition(props.begin(), props.end(),
+    [&](const PropDescription& prop) { return IsOpaque(prop) && !KeepsDepths(scene); });
+  if (order == BuildOrder::Shuffled)
   {
-    actors.push_back(MakeActor(scene, prop, order));
+    std::reverse(fixed, props.end());
   }
-  if (order == BuildOrder::Forward)
+  for (auto prop = props.begin(); prop != props.end(); ++prop)
   {
-    for (const auto& actor : actors)
-    {
-      renderer->AddActor(actor);
-    }
-  }
-  else
-  {
-    std::for_each(actors.rbegin(), actors.rend(), [&](auto& actor) { renderer->AddActor(actor); });
+    renderer->AddActor(MakeActor(scene, *prop, prop < fixed ? BuildOrder::Forward : order));
   }
   // Colours that 8 bits hold exactly, so that the background adds no rounding of its own.
   renderer->SetBackground(0.8, 0.6, 1.0);

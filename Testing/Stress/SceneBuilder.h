@@ -17,7 +17,8 @@
 
 namespace pellucid
 {
-/** In which order a scene is put together; the picture is the same. */
+/** In which order a scene is put together; the picture is the same. Opaque props keep their order
+ * in a scene that does not keep its depths: OpenGL shows one of those of equal depth. */
 enum class BuildOrder
 {
   Forward,
@@ -26,6 +27,9 @@ enum class BuildOrder
 
 /** Whether the description makes an actor that nothing shines through. */
 bool IsOpaque(const PropDescription& prop);
+
+/** Whether depths in single precision tell apart what lies in the scene. */
+bool KeepsDepths(const SceneDescription& scene);
 
 vtkSmartPointer<vtkPolyData> MakeData(
   const SceneDescription& scene, const PropDescription& prop, BuildOrder order);

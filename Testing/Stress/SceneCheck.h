@@ -33,7 +33,7 @@ struct SceneFigures
   vtkIdType Frames = 0;
   vtkIdType ComparedPixels = 0;
   vtkIdType SilhouettePixels = 0;
-  vtkIdType DoubtfulPixels = 0; ///< that depend on silhouette pixels
+  vtkIdType DependentPixels = 0; ///< on silhouette pixels
   vtkIdType Fragments = 0;
   vtkIdType LongestList = 0;
   vtkIdType OptimizedScenes = 0;
