@@ -77,9 +77,12 @@ class TestFiles(BenchmarkTest):
             if row["method"].startswith("pellucid"):
                 self.assertLessEqual(row["max_error"], 1, row)
                 self.assertLessEqual(row["rmse"], 0.30, row)
-            else:
+            elif row["method"].startswith("vtk"):
                 self.assertIsNone(row["bytes"])
                 self.assertEqual(row["stages"], {})
+            else:
+                self.assertGreater(row["bytes"], 0)
+                self.assertIn("resolve", row["stages"])
         self.assertTrue(any(row["on_front"] for row in rows.values()))
 
         with open(files[0], newline="", encoding="utf-8") as file:
