@@ -12,7 +12,9 @@
  * - coverage C: their number;
  * - maximum importance M, in [0,1], and the depth D of the nearest fragment that has it;
  * - directional variance V = 1 - |sum of the tangents| / their number, in [0,1], over the fragments
- *   of lines that are faded so: 0 where all are parallel, and where there are none.
+ *   of lines that are faded so: 0 where all are parallel, and where there are none. Balls have no
+ *   direction, nor has a segment at one end of which the radius is so large that its ball contains
+ *   the other.
  *
  * The opacity of each fragment of importance g is multiplied by the global opacity, and by
  *

@@ -468,7 +468,7 @@ private:
     Fragment<Real> fragment;
     fragment.depth = glm::clamp(depth, Real(0), Real(1));
     fragment.place = PlaceOnLine(surface, first.segment, last.segment, hit.axis);
-    if (piece.first != piece.last)
+    if (!this->Cone(piece).IsOneBall())
     {
       fragment.tangent = glm::normalize(last.position - first.position);
     }

@@ -90,6 +90,13 @@ struct RoundedCone
 {
   std::array<Vector3<Real>, 2> center{};
   std::array<Real, 2> radius{};
+
+  /** Whether one end contains the other. */
+  bool IsOneBall() const
+  {
+    return std::abs(this->radius[0] - this->radius[1]) >=
+      glm::length(this->center[1] - this->center[0]);
+  }
 };
 
 /**
@@ -175,7 +182,7 @@ std::optional<ConeCrossing<Real>> IntersectRoundedCone(
   const Vector3<Real> axis = cone.center[1] - cone.center[0];
   const Real length = glm::length(axis);
   const Real narrowing = cone.radius[0] - cone.radius[1];
-  const bool oneBall = std::abs(narrowing) >= length;
+  const bool oneBall = cone.IsOneBall();
   for (int end = 0; end < 2; ++end)
   {
     if (oneBall && end != (narrowing < 0 ? 1 : 0))

@@ -82,7 +82,7 @@ inline bool Compare(SphereScene& scene, const std::string& name)
   OpenGLDebugOutput debugOutput(scene.Window);
   vtkTransparencyInstaller::Install(scene.Renderer);
   scene.Window->Render();
-  return ReferenceComparison(scene.Window, scene.Renderer).Passes(name, 0.05);
+  return ReferenceComparison(scene.Window, scene.Renderer).Passes(name);
 }
 
 #endif

@@ -30,9 +30,10 @@
  *
  * A rasteriser places vertices on a grid of 1/256 pixel and interpolates in single precision, so a
  * pixel whose centre lies that close to an edge may show either side of it, shaded with a normal
- * that is extrapolated beyond the edge. Such a pixel is explained when it shows, within 16 of 255,
- * what the reference shows for a ray displaced by 1/64 pixel in some direction. It is counted as a
- * silhouette pixel and not measured.
+ * that is extrapolated beyond the edge. Such a pixel is explained when a ray displaced by 1/64
+ * pixel in some direction leaves at most half of the difference, and at most 16 of 255: so no pixel
+ * near which the reference does not change is explained. It is counted as a silhouette pixel and
+ * not measured.
  *
  * Through smoothed attributes or the least opacity of a segment, such a pixel decides on others
  * too. Displacing all rays together does not show what the one and not the next does, but it shows
@@ -47,8 +48,14 @@ class ReferenceComparison
 {
 public:
   ReferenceComparison(vtkRenderWindow* window, vtkRenderer* renderer, double tolerance = 1.0)
-    : Shown(Picture::Render(window))
-    , HasAlpha(window->GetAlphaBitPlanes() > 0 && vtkTransparencyInstaller::GetPass(renderer))
+    : ReferenceComparison(Picture::Render(window), renderer,
+        window->GetAlphaBitPlanes() > 0 && vtkTransparencyInstaller::GetPass(renderer), tolerance)
+  {
+  }
+
+  ReferenceComparison(Picture shown, vtkRenderer* renderer, bool hasAlpha, double tolerance = 1.0)
+    : Shown(std::move(shown))
+    , HasAlpha(hasAlpha)
     , Renderer(renderer)
     , Tolerance(tolerance)
   {
@@ -61,7 +68,7 @@ public:
       const double difference = this->GetDifference(reference, pixel);
       if (difference > this->Tolerance)
       {
-        doubtful.push_back({ pixel, ColorRange(&reference[4 * pixel]) });
+        doubtful.push_back({ pixel, difference, ColorRange(&reference[4 * pixel]) });
         continue;
       }
       this->LargestDifference = std::max(this->LargestDifference, difference);
@@ -92,7 +99,7 @@ public:
   vtkIdType GetLongestList() const { return this->LongestList; }
 
   /// Print the figures and check them against the rounding limit of an 8-bit picture.
-  bool Passes(const std::string& scene, double largestSilhouettePart = 0.01) const
+  bool Passes(const std::string& scene, double largestSilhouettePart = 0.001) const
   {
     const double part =
       static_cast<double>(this->SilhouettePixels) / (this->Shown.Width * this->Shown.Height);
@@ -165,6 +172,7 @@ private:
   struct DoubtfulPixel
   {
     std::size_t Index;
+    double Difference;
     ColorRange Range; // over the displacements
   };
 
@@ -264,8 +272,10 @@ private:
       const std::vector<double> reference =
         this->RenderReference(step * direction[0], step * direction[1]);
       doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                       [&](const DoubtfulPixel& pixel) {
-                         return this->GetDifference(reference, pixel.Index) <= SilhouetteTolerance;
+                       [&](const DoubtfulPixel& pixel)
+                       {
+                         return this->GetDifference(reference, pixel.Index) <=
+                           std::min(0.5 * pixel.Difference, SilhouetteTolerance);
                        }),
         doubtful.end());
       for (DoubtfulPixel& pixel : doubtful)

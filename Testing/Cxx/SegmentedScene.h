@@ -45,10 +45,14 @@ inline vtkSmartPointer<vtkPolyData> DivideLines(vtkPolyData* data, int segments)
   return divider->GetPolyDataOutput();
 }
 
-/** Helices with balls at their ends, divided into segments. */
+/**
+ * Helices, divided into segments. They have no balls: a ball and the cap of its line have the same
+ * depths, and which of their segments hides the other would be a matter of rounding.
+ */
 inline vtkSmartPointer<vtkPolyData> MakeSegmentedLines(int lines, int segments)
 {
   auto data = MakeLines(lines, 60, 1);
+  data->SetVerts(nullptr);
   AddImportance(data, Wave);
   return DivideLines(data, segments);
 }

@@ -14,11 +14,7 @@ bool TestLines()
   for (const int steps : { 0, 5, 40 })
   {
     SphereScene scene(300, 300, 0, 0, 0);
-    const auto data = MakeSegmentedLines(40, 600);
-    // A ball and the cap of its line have the same depths: which of their segments hides the other
-    // is a matter of rounding.
-    data->SetVerts(nullptr);
-    vtkActor* lines = AddLines(scene, data, 0.04, 1.0);
+    vtkActor* lines = AddLines(scene, MakeSegmentedLines(40, 600), 0.04, 1.0);
     Optimize(lines, 50.0, 100.0, 3.0, steps, steps == 5);
     success &= Compare(scene, "lines, " + std::to_string(steps) + " steps");
   }
@@ -37,11 +33,21 @@ bool TestUndivided()
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeSegmentedBalls()
+{
+  auto data = MakeLines(80, 60, 2);
+  data->SetLines(nullptr);
+  AddImportance(data, Wave);
+  return DivideLines(data, 30);
+}
+
+//------------------------------------------------------------------------------
 template <typename Mapper>
 bool TestMixture(const std::string& name)
 {
   SphereScene scene(300, 300, 0, 0, 0);
   Optimize(AddLines(scene, MakeSegmentedLines(40, 500), 0.04, 1.0), 20.0, 10.0, 2.0, 4, false);
+  Optimize(AddLines(scene, MakeSegmentedBalls(), 0.1, 0.9), 30.0, 20.0, 1.0, 2, false);
   Optimize(AddSurface<Mapper>(scene, MakeSegmentedSphere(1.6, 0.1), 0.9), 5.0, 0.0, 1.0, 2, false);
   Optimize(AddSurface<Mapper>(scene, MakeSegmentedSphere(0.7, 0.6), 1.0), 50.0, 3.0, 4.0, 0, true);
   AddSurface<Mapper>(scene, MakeSegmentedSphere(1.2, 1.0), 0.2); // takes no part
@@ -85,6 +91,24 @@ bool TestAvoidanceOfFlatSurface()
   }
   return success;
 }
+
+//------------------------------------------------------------------------------
+// A segment whose one ball contains the other has no direction.
+bool TestAvoidanceOfShortSegments()
+{
+  SphereScene scene(300, 300, 0, 0, 0);
+  const auto lines = MakeLines(30, 200, 2);
+  vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
+  for (vtkIdType i = 0; i < radii->GetNumberOfTuples(); ++i)
+  {
+    radii->SetTuple1(i, i % 3 == 0 ? 0.1 : 0.02);
+  }
+  AddImportance(lines, [](const double*) { return 0.6; });
+  vtkActor* actor = AddLines(scene, lines, 0.05, 0.5);
+  vtkTrajectoryMapper::SafeDownCast(actor->GetMapper())->SetRadiusArray("Radius");
+  Avoid(actor, vtkOcclusionAvoidance::WEIGHTING, false);
+  return Compare(scene, "avoidance of short segments");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -96,5 +120,6 @@ int TestExactOptimization(int, char*[])
   success &= TestMixture<vtkTrajectoryMapper>("surfaces among lines");
   success &= TestFullImportance();
   success &= TestAvoidanceOfFlatSurface();
+  success &= TestAvoidanceOfShortSegments();
   return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -68,8 +68,7 @@ public:
 bool CompareView(SphereScene& scene, const std::string& name, int view)
 {
   vtkTransparencyInstaller::GetPass(scene.Renderer)->SetView(view);
-  return ReferenceComparison(scene.Window, scene.Renderer)
-    .Passes(name + ", " + ViewNames[view], 0.05);
+  return ReferenceComparison(scene.Window, scene.Renderer).Passes(name + ", " + ViewNames[view]);
 }
 
 //------------------------------------------------------------------------------

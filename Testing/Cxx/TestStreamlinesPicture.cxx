@@ -76,7 +76,7 @@ int TestStreamlinesPicture(int argc, char* argv[])
 
   OpenGLDebugOutput debugOutput(window);
   vtkTransparencyInstaller::Install(renderer);
-  const bool exact = ReferenceComparison(window, renderer).Passes("streamlines", 0.05);
+  const bool exact = ReferenceComparison(window, renderer).Passes("streamlines");
   const bool unchanged = vtkTesting::Test(argc, argv, window, 1.0) == vtkTesting::PASSED;
   return exact && unchanged ? EXIT_SUCCESS : EXIT_FAILURE;
 }

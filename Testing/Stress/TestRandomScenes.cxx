@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace
 {
@@ -32,22 +33,55 @@ std::string Join(const std::vector<std::string>& lines)
 
 bool Replay(pellucid::SceneChecker& checker, const std::string& file)
 {
-  const auto scene = nlohmann::json::parse(std::ifstream(file)).get<SceneDescription>();
+  SceneDescription scene;
+  try
+  {
+    scene = nlohmann::json::parse(std::ifstream(file)).get<SceneDescription>();
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    std::cerr << "ERROR: expected a scene, as a failure prints it, in " << file << ": "
+              << error.what() << std::endl;
+    return false;
+  }
   const std::string problems = Join(checker.Check(scene));
   std::cout << problems;
   return problems.empty();
 }
 
-/** RapidCheck knows no time: once it is over, the rest of the scenes pass unseen. */
+/** Keeps what is written to std::cerr. */
+class ErrorCapture
+{
+public:
+  ErrorCapture()
+    : Terminal(std::cerr.rdbuf(this->Text.rdbuf()))
+  {
+  }
+  ~ErrorCapture() { std::cerr.rdbuf(this->Terminal); }
+  ErrorCapture(const ErrorCapture&) = delete;
+  ErrorCapture& operator=(const ErrorCapture&) = delete;
+
+  std::string GetText() const { return this->Text.str(); }
+
+private:
+  std::ostringstream Text;
+  std::streambuf* Terminal;
+};
+
+/**
+ * RapidCheck knows no time: once it is over, the rest of the scenes pass unseen. So what it says of
+ * their number is kept back, unless a scene fails.
+ */
 bool CheckFor(pellucid::SceneChecker& checker, double seconds, unsigned int seed)
 {
   const std::string parameters = "seed=" + std::to_string(seed) + " max_success=1000000";
-  setenv("RC_PARAMS", parameters.c_str(), 0);
+  setenv("RC_PARAMS", parameters.c_str(), 1);
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   const auto generator = pellucid::MakeSceneGenerator();
   bool hasFailed = false;
-  return rc::check("Random scenes look as the reference",
+  ErrorCapture capture;
+  const bool passed = rc::check("Random scenes look as the reference",
     [&]
     {
       if (!hasFailed && Clock::now() > end)
@@ -62,6 +96,11 @@ bool CheckFor(pellucid::SceneChecker& checker, double seconds, unsigned int seed
         RC_FAIL(problems);
       }
     });
+  if (!passed)
+  {
+    std::cout << capture.GetText() << std::endl;
+  }
+  return passed && checker.GetFigures().Scenes > 0;
 }
 }
 
@@ -73,9 +112,12 @@ int TestRandomScenes(int argc, char* argv[])
   double seconds = 20.0;
   unsigned int seed = 1;
   std::string file;
-  application.add_option("--seconds", seconds, "Time to spend")->capture_default_str();
+  application.add_option("--seconds", seconds, "Time to spend")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
   application.add_option("--seed", seed, "Another seed, other scenes")->capture_default_str();
-  application.add_option("--replay", file, "Check the scene of this JSON file alone");
+  application.add_option("--replay", file, "Check the scene of this JSON file alone")
+    ->check(CLI::ExistingFile);
   CLI11_PARSE(application, argc, argv);
 
   pellucid::SceneChecker checker;
@@ -83,7 +125,7 @@ int TestRandomScenes(int argc, char* argv[])
   checker.GetFigures().Print(std::cout);
   if (!passed)
   {
-    std::cerr << "ERROR: a scene has failed" << std::endl;
+    std::cerr << "ERROR: a scene has failed, or none was checked" << std::endl;
   }
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
