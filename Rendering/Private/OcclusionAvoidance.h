@@ -38,7 +38,7 @@ constexpr double ImportanceTolerance = 1e-5;
 /** So are a distance from the eye and a smoothed one that differ by no more than this part of it:
  * on a flat surface, where the mean of the distances around is the fragment's own, rounding would
  * decide. */
-constexpr double DistanceTolerance = 1e-5;
+constexpr double DistanceTolerance = 1e-4;
 
 /** What a pixel holds; all 0 where it holds nothing. */
 template <typename Real>

@@ -155,13 +155,13 @@ private:
       }
     }
 
-    /// How far a value is outside of the range with a margin of half its width; 0 inside.
-    double GetExcess(int component, double value) const
+    /// How far a value is outside of the range, widened on either side by a part of its width.
+    double GetExcess(int component, double value, double margin) const
     {
       const double least = this->Least[component];
       const double largest = this->Largest[component];
-      const double margin = 0.5 * (largest - least);
-      return std::max({ least - margin - value, value - largest - margin, 0.0 });
+      const double width = margin * (largest - least);
+      return std::max({ least - width - value, value - largest - width, 0.0 });
     }
 
   private:
@@ -244,16 +244,27 @@ private:
     return largest;
   }
 
-  bool IsDependent(const DoubtfulPixel& pixel) const
+  /// In steps of 8 bits.
+  double GetExcess(const DoubtfulPixel& pixel, double margin) const
   {
     double largest = 0.0;
     for (int i = 0; i < (this->HasAlpha ? 4 : 3); ++i)
     {
       const double shown = this->Shown.Rgba[4 * pixel.Index + i] / 255.0;
-      largest = std::max(largest, 255.0 * pixel.Range.GetExcess(i, shown));
+      largest = std::max(largest, 255.0 * pixel.Range.GetExcess(i, shown, margin));
     }
-    // As an 8-bit picture would show it.
-    return largest <= this->Tolerance + 0.5;
+    return largest;
+  }
+
+  bool IsSilhouette(const DoubtfulPixel& pixel) const
+  {
+    return this->GetExcess(pixel, 0.0) <= std::min(0.5 * pixel.Difference, SilhouetteTolerance);
+  }
+
+  // With half a step, as an 8-bit picture would show it.
+  bool IsDependent(const DoubtfulPixel& pixel) const
+  {
+    return this->GetExcess(pixel, 0.5) <= this->Tolerance + 0.5;
   }
 
   void Explain(std::vector<DoubtfulPixel> doubtful)
@@ -271,17 +282,13 @@ private:
       }
       const std::vector<double> reference =
         this->RenderReference(step * direction[0], step * direction[1]);
-      doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                       [&](const DoubtfulPixel& pixel)
-                       {
-                         return this->GetDifference(reference, pixel.Index) <=
-                           std::min(0.5 * pixel.Difference, SilhouetteTolerance);
-                       }),
-        doubtful.end());
       for (DoubtfulPixel& pixel : doubtful)
       {
         pixel.Range.Add(&reference[4 * pixel.Index]);
       }
+      doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
+                       [this](const DoubtfulPixel& pixel) { return this->IsSilhouette(pixel); }),
+        doubtful.end());
     }
     this->SilhouettePixels = static_cast<vtkIdType>(all - doubtful.size());
     this->UnexplainedPixels = static_cast<vtkIdType>(doubtful.size());

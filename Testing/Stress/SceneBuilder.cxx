@@ -18,6 +18,7 @@
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSegments.h"
@@ -299,9 +300,13 @@ vtkSmartPointer<vtkMapper> MakeMapper(
     cone->SetHeight(0.5);
     cone->SetRadius(0.2);
     cone->SetResolution(8);
+    // Without normals VTK takes them from differences between pixels, too coarse for small
+    // triangles.
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(cone->GetOutputPort());
     auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
     mapper->SetInputData(data);
-    mapper->SetSourceConnection(cone->GetOutputPort());
+    mapper->SetSourceConnection(normals->GetOutputPort());
     return mapper;
   }
   if (IsSurface(prop) && prop.Mapper != "vtkTrajectoryMapper")
@@ -391,7 +396,7 @@ void AddLights(vtkRenderer* renderer, const SceneDescription& scene)
   }
   if (scene.Lights == "many")
   {
-    add(0.0, -1.0, 0.5, false, 0.3);
+    add(0.3, -1.0, 0.5, false, 0.3); // along no side of a glyph
   }
 }
 

@@ -10,16 +10,10 @@
 #include "vtkActorCollection.h"
 #include "vtkFloatArray.h"
 #include "vtkLogger.h"
-#include "vtkMapper.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
-#include "vtkPolyData.h"
-#include "vtkPropCollection.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pellucid
@@ -124,6 +118,15 @@ bool IsSteep(const SceneDescription& scene, const PropDescription& prop)
 }
 
 /**
+ * A line that turns straight back has two surfaces at the same depth: which of their segments hides
+ * the other is a matter of rounding.
+ */
+bool HasCoincidentSegments(const PropDescription& prop)
+{
+  return prop.Kind == "lines" && prop.Shape == "backward" && prop.Method != "none";
+}
+
+/**
  * The edges of opaque props are smoothed by samples, which the reference does not do. Nor does it
  * round depths to single precision, which in a perspective of 1e9 merges all of the scene.
  */
@@ -134,58 +137,20 @@ bool HasReference(const SceneDescription& scene)
       [&](const PropDescription& prop)
       {
         return (scene.Samples > 0 && IsOpaque(prop)) || OpensOverlappingTubes(scene, prop) ||
-          IsSteep(scene, prop);
+          IsSteep(scene, prop) || HasCoincidentSegments(prop);
       });
 }
 
-/** Width in pixels of a sheet as it is seen: area over length. */
-double GetVisibleWidth(vtkRenderer* renderer, const std::array<vtkVector3d, 4>& corners)
-{
-  std::array<vtkVector3d, 4> places;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    renderer->SetWorldPoint(corners[i][0], corners[i][1], corners[i][2], 1.0);
-    renderer->WorldToDisplay();
-    places[i].Set(renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1], 0.0);
-  }
-  const vtkVector3d first = places[2] - places[0];
-  const vtkVector3d second = places[3] - places[1];
-  const double area = 0.5 * first.Cross(second).Norm();
-  return area / std::max({ first.Norm(), second.Norm(), 1e-30 });
-}
-
 /**
- * Whether a sheet is seen from its edge. OpenGL moves its corners to a grid of 1/256 pixel, so that
- * it may cover the centres of pixels that it does not cover wherever the view is displaced to.
+ * How many pixels may show a part that is narrower than the grid of 1/256 pixel to which OpenGL
+ * moves corners, so that no displaced ray meets it: the tip of a cone, a sheet that is seen from
+ * its edge.
  */
-bool HasSlivers(const SceneDescription& scene, vtkRenderer* renderer)
+vtkIdType GetMostSliverPixels(const SceneDescription& scene)
 {
-  constexpr double leastWidth = 1.0 / 16.0;
-  for (std::size_t i = 0; i < scene.Props.size(); ++i)
-  {
-    auto* actor = vtkActor::SafeDownCast(renderer->GetViewProps()->GetItemAsObject(int(i)));
-    auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-    if (scene.Props[i].Kind != "sheets" || !data)
-    {
-      continue;
-    }
-    for (vtkIdType point = 0; point + 3 < data->GetNumberOfPoints(); point += 4)
-    {
-      std::array<vtkVector3d, 4> corners;
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        vtkVector4d place(0.0, 0.0, 0.0, 1.0);
-        data->GetPoint(point + corner, place.GetData());
-        actor->GetMatrix()->MultiplyPoint(place.GetData(), place.GetData());
-        corners[corner] = vtkVector3d(place.GetData());
-      }
-      if (!(GetVisibleWidth(renderer, corners) >= leastWidth))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  const bool hasSlivers = std::any_of(scene.Props.begin(), scene.Props.end(),
+    [](const PropDescription& prop) { return prop.Kind == "sheets" || prop.Kind == "glyphs"; });
+  return hasSlivers ? 1 + scene.Width * scene.Height / 2000 : 0;
 }
 
 /** How many pixels may be nearer to an edge than OpenGL can tell. */
@@ -262,7 +227,7 @@ void SceneChecker::CompareWithReference(
     problems.push_back(std::to_string(count) + " of " + std::to_string(pixels) + " pixels " + what);
   };
   const vtkIdType independent = comparison.GetUnexplainedPixels() - comparison.GetDependentPixels();
-  if (independent > 0)
+  if (independent > GetMostSliverPixels(scene))
   {
     complain(independent, "differ from the reference without explanation");
   }
@@ -299,7 +264,7 @@ std::vector<std::string> SceneChecker::Check(const SceneDescription& scene)
     this->Figures.OptimizedScenes += areOptimized;
     this->Figures.TiledScenes += frame.Pass->GetStatistics()->GetTiles() > 1;
     require(Picture::Render(this->Window) == picture, "the second frame has other bits");
-    if (HasReference(scene) && !HasSlivers(scene, frame.Renderer))
+    if (HasReference(scene))
     {
       this->CompareWithReference(scene, frame, problems);
     }
