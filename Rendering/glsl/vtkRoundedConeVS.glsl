@@ -78,7 +78,9 @@ struct End
 };
 
 // A joint plane that leaves the axis at an angle g keeps no point farther out than radius * sin(g).
-End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius, float slope)
+// A steep cone would be wider there than its balls.
+End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius, float slope,
+  float largestRadius)
 {
   float cosine = plane.x * outward;
   if (cosine <= 0.0)
@@ -87,7 +89,8 @@ End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius
   }
   float reach = max(sqrt(max(1.0 - cosine * cosine, 0.0)), slope * outward);
   float cut = x + outward * radius * reach;
-  return End(cut, (middleRadius - slope * cut) / sqrt(1.0 - slope * slope), true);
+  float coneRadius = (middleRadius - slope * cut) / sqrt(1.0 - slope * slope);
+  return End(cut, min(coneRadius, largestRadius), true);
 }
 
 // The interval (x, y) that an end covers in the plane at distance 1 along `middle`, z its half width
@@ -257,8 +260,9 @@ void main()
   End end2 = End(halfLength, r2, false);
   if (len > 0.0)
   {
-    end1 = makeEnd(-halfLength, -1.0, r1, startPlaneLC, middleRadius, slope);
-    end2 = makeEnd(halfLength, 1.0, r2, endPlaneLC, middleRadius, slope);
+    float largestRadius = max(r1, r2);
+    end1 = makeEnd(-halfLength, -1.0, r1, startPlaneLC, middleRadius, slope, largestRadius);
+    end2 = makeEnd(halfLength, 1.0, r2, endPlaneLC, middleRadius, slope, largestRadius);
   }
 
   // Everything below is in the LC xy plane, which holds the eye and the axis, seen from the eye.
@@ -280,7 +284,9 @@ void main()
     vec2 first = cross2(rays1.xy, rays2.xy) > 0.0 ? rays2.xy : rays1.xy;
     vec2 second = cross2(rays1.zw, rays2.zw) < 0.0 ? rays2.zw : rays1.zw;
     middle = first + second;
-    whole = whole || dot(middle, middle) < 4.0 * WHOLE_VIEW * WHOLE_VIEW || cross2(second, first) < 0.0;
+    // Beyond 180 degrees; the outermost rays of something tiny are the same but for rounding.
+    whole = whole || dot(middle, middle) < 4.0 * WHOLE_VIEW * WHOLE_VIEW ||
+      cross2(second, first) < -WHOLE_VIEW;
     middle = normalize(middle);
     across = vec2(middle.y, -middle.x);
     planeDistance = dot(rayLC, middle);

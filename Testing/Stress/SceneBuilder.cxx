@@ -487,8 +487,10 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(const SceneDescription& scene, BuildOr
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   std::vector<PropDescription> props = scene.Props;
+  // At samples beside the centre of a pixel, depths are extrapolated, beyond other surfaces too.
+  const bool movesDepths = !KeepsDepths(scene) || scene.Samples > 0;
   const auto fixed = std::stable_partition(props.begin(), props.end(),
-    [&](const PropDescription& prop) { return IsOpaque(prop) && !KeepsDepths(scene); });
+    [&](const PropDescription& prop) { return IsOpaque(prop) && movesDepths; });
   if (order == BuildOrder::Shuffled)
   {
     std::reverse(fixed, props.end());

@@ -118,6 +118,15 @@ bool IsSteep(const SceneDescription& scene, const PropDescription& prop)
 }
 
 /**
+ * From within tubes or balls far larger than the scene, their walls are too far away for depths of
+ * single precision to tell which is nearer.
+ */
+bool HasDistantWalls(const SceneDescription& scene, const PropDescription& prop)
+{
+  return !scene.ParallelProjection && prop.Radius > 100.0 && prop.Cells > 1;
+}
+
+/**
  * A line that turns straight back has two surfaces at the same depth: which of their segments hides
  * the other is a matter of rounding.
  */
@@ -137,7 +146,7 @@ bool HasReference(const SceneDescription& scene)
       [&](const PropDescription& prop)
       {
         return (scene.Samples > 0 && IsOpaque(prop)) || OpensOverlappingTubes(scene, prop) ||
-          IsSteep(scene, prop) || HasCoincidentSegments(prop);
+          IsSteep(scene, prop) || HasDistantWalls(scene, prop) || HasCoincidentSegments(prop);
       });
 }
 

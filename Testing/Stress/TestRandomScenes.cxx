@@ -5,7 +5,7 @@
 // A scene that does not is shrunk, and printed so that --replay can repeat it.
 //
 //   pellucidStressTests TestRandomScenes --seconds 3600 --seed 5
-//   pellucidStressTests TestRandomScenes --replay scene.json
+//   pellucidStressTests TestRandomScenes --replay scene.json...
 #include "SceneCheck.h"
 #include "SceneGenerator.h"
 
@@ -16,6 +16,8 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -45,7 +47,7 @@ bool Replay(pellucid::SceneChecker& checker, const std::string& file)
     return false;
   }
   const std::string problems = Join(checker.Check(scene));
-  std::cout << problems;
+  std::cout << file << ": " << (problems.empty() ? "as the reference\n" : problems);
   return problems.empty();
 }
 
@@ -111,17 +113,21 @@ int TestRandomScenes(int argc, char* argv[])
   application.allow_extras();
   double seconds = 20.0;
   unsigned int seed = 1;
-  std::string file;
+  std::vector<std::string> files;
   application.add_option("--seconds", seconds, "Time to spend")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   application.add_option("--seed", seed, "Another seed, other scenes")->capture_default_str();
-  application.add_option("--replay", file, "Check the scene of this JSON file alone")
+  application.add_option("--replay", files, "Check the scenes of these JSON files alone")
     ->check(CLI::ExistingFile);
   CLI11_PARSE(application, argc, argv);
 
   pellucid::SceneChecker checker;
-  const bool passed = file.empty() ? CheckFor(checker, seconds, seed) : Replay(checker, file);
+  bool passed = !files.empty() || CheckFor(checker, seconds, seed);
+  for (const std::string& file : files)
+  {
+    passed &= Replay(checker, file);
+  }
   checker.GetFigures().Print(std::cout);
   if (!passed)
   {
