@@ -147,12 +147,35 @@ class TestTranslucency(PlotterTest):
         # Of the white background a quarter remains in the colour, as VTK blends it.
         numpy.testing.assert_allclose(picture[80, 100], (255, 64, 64, 191), atol=1)
 
-    def test_server_side_rendering_of_notebooks(self):
-        self.plotter.add_mesh(pyvista.Sphere(), color="tan", opacity=0.4)
-        found = self.assert_exact()
-        encoded = vtkWebApplication().StillRender(self.plotter.render_window)
-        sent = Image.open(io.BytesIO(base64.b64decode(bytes(encoded))))  # JPEG
-        self.assertLess(((numpy.asarray(sent, float) - found) ** 2).mean() ** 0.5, 2)
+    def test_overlays(self):
+        plotter = self.make_plotter()
+        plotter.add_mesh(pyvista.Sphere(), color="tan", opacity=0.4)
+        plotter.add_point_labels([(0.0, 0.0, 0.0)], ["middle"])
+        plotter.add_text("sphere")
+        transparency, = pellucid.install(plotter)
+        warnings = []
+        transparency.AddObserver("WarningEvent", lambda *_: warnings.append(True))
+        plotter.screenshot(return_img=True)
+        self.assertFalse(warnings)
+        self.assertEqual(transparency.statistics.longest_list, 2)
+
+    def test_notebooks(self):
+        pictures = []
+        for wrong_order in (False, True):
+            plotter = self.make_plotter(notebook=True)
+            planes = [(RED, 0.1), (BLUE, 0)]  # the farther one last, which VTK draws over the other
+            for color, height in planes if wrong_order else reversed(planes):
+                plotter.add_mesh(pyvista.Plane(center=(0, 0, height)), color=color, opacity=0.5)
+            plotter.camera_position = "xy"
+            if wrong_order:
+                pellucid.install(plotter)
+                # What a server sends is a JPEG, from which colours come back nearly the same.
+                encoded = vtkWebApplication().StillRender(plotter.render_window)
+                sent = numpy.asarray(Image.open(io.BytesIO(base64.b64decode(bytes(encoded)))), float)
+            shown = plotter.show(jupyter_backend="static", return_viewer=True)
+            pictures.append(numpy.asarray(shown, float)[:, :, :3])
+        for found in (pictures[1], sent):
+            self.assertLess(((found - pictures[0]) ** 2).mean() ** 0.5, 3)
 
 
 class TestAddLines(PlotterTest):
