@@ -232,7 +232,9 @@ class TranslucentOverlay : public vtkActor2D
 public:
   static TranslucentOverlay* New();
   vtkTypeMacro(TranslucentOverlay, vtkActor2D);
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
   int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 1; }
+  int RenderOverlay(vtkViewport*) override { return 0; }
 };
 vtkStandardNewMacro(TranslucentOverlay);
 
