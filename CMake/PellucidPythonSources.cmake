@@ -15,6 +15,7 @@ function (pellucid_install_python_sources destination)
       _geometry.py
       _lines.py
       _opacities.py
+      _properties.py
       _renderers.py
       ${ARGN})
     configure_file("${sources}/${file}" "${package}/${file}" COPYONLY)

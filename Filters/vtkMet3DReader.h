@@ -19,7 +19,9 @@
  * to open as that library.
  *
  * @par Reference
- * None for the layout, which is the one described here; the CF conventions for the standard names.
+ * Met.3D user documentation, "Trajectory data in NetCDF format", University of Hamburg,
+ * https://collaboration.cen.uni-hamburg.de/display/Met3D/Trajectory+data+in+NetCDF+format, of which
+ * more files are read here than it allows; and the CF conventions for the standard names.
  *
  * @sa vtkGeographicTrajectoryReader
  */

@@ -14,6 +14,7 @@
 #include "Private/vtkSceneSignature.h"
 #include "Private/vtkSegmentOpacities.h"
 #include "Private/vtkStageTimers.h"
+#include "vtkActor2D.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
@@ -28,6 +29,7 @@
 #include <chrono>
 #include <cmath>
 #include <tuple>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -658,24 +660,29 @@ void vtkExactTransparencyPass::BlendOtherProps(const vtkRenderState* state)
 {
   Internals& internal = *this->Internal;
   const std::set<vtkProp*>& props = internal.GPU->Gather.GetPropsWithoutHooks();
-  this->Statistics->SetBlendedProps(static_cast<int>(props.size()));
+  this->Statistics->SetBlendedProps(0);
   if (props.empty())
   {
     return;
   }
   vtkStageTimers::Scope stage(internal.GPU->Timers, "blend");
-  const char* firstClass = nullptr;
+  std::vector<vtkProp*> withDepth;
   for (vtkProp* prop : vtkFragmentGather::GetProps(state))
   {
     if (props.count(prop) > 0)
     {
-      firstClass = firstClass ? firstClass : prop->GetClassName();
       prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
+      if (!vtkActor2D::SafeDownCast(prop))
+      {
+        withDepth.push_back(prop);
+      }
     }
   }
-  if (!internal.WarnedOfBlending)
+  this->Statistics->SetBlendedProps(static_cast<int>(withDepth.size()));
+  if (!withDepth.empty() && !internal.WarnedOfBlending)
   {
-    vtkWarningMacro(<< props.size() << " translucent prop(s), the first a " << firstClass
+    vtkWarningMacro(<< withDepth.size() << " translucent prop(s), the first a "
+                    << withDepth.front()->GetClassName()
                     << ", have a mapper that takes no part in render passes. They are blended over "
                        "the exact result, without regard to depth order.");
     internal.WarnedOfBlending = true;

@@ -78,7 +78,7 @@ public:
 
   ///@{
   /** Props whose mapper takes no part in render passes, drawn with plain blending over the exact
-   * result. Default is 0. */
+   * result; those of vtkActor2D, which have no depth, are not counted. Default is 0. */
   vtkSetMacro(BlendedProps, int);
   vtkGetMacro(BlendedProps, int);
   ///@}

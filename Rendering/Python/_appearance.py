@@ -97,11 +97,15 @@ def _color_by(mapper, data, scalars, clim, table):
         getattr(mapper, f"SetScalarModeToUse{fields}FieldData")()
     if arrays[0].GetNumberOfComponents() > 1:
         table.SetVectorModeToMagnitude()
-    if clim is None:
-        ranges = [array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0) for array in arrays]
-        clim = min(low for low, _ in ranges), max(high for _, high in ranges)
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(finite_pair("clim", clim))
+    mapper.SetScalarRange(_finite_range(arrays) if clim is None else finite_pair("clim", clim))
+
+
+def _finite_range(arrays):
+    """That of the finite values of all of them, or 0 to 1 where there are none."""
+    ranges = [array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0) for array in arrays]
+    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+    return (low, high) if low <= high else (0, 1)
 
 
 def _find_scalars(data, name):

@@ -55,7 +55,7 @@ def with_point_array(data, argument, values):
     copy = vtkPolyData()
     copy.ShallowCopy(data)
     name = argument.title()
-    point_array = numpy_to_vtk(array.astype(numpy.uint8) if array.dtype == bool else array, deep=True)
+    point_array = numpy_to_vtk(_of_type_of_vtk(array), deep=True)
     point_array.SetName(name)
     copy.GetPointData().AddArray(point_array)
     return copy, name
@@ -98,6 +98,16 @@ def _point_array(points, name):
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name}: expected points as an array of shape (n, 3), found {array.shape}")
     return array if array.dtype == numpy.float32 else array.astype(float)
+
+
+def _of_type_of_vtk(array):
+    """VTK has no bool, half and long double, and reads bytes in the order of the machine."""
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if kind == "b":
+        return array.astype(numpy.uint8)
+    if kind == "f" and size not in (4, 8):
+        return array.astype(float)
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
 def _points(array):

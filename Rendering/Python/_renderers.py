@@ -16,8 +16,12 @@ def install(view):
         `view.GetClientSideObject().GetRenderer()`.
 
     Returns the vtkExactTransparencyPass that draws the renderer, for its parameters
-    (`SetMemoryLimit`) and statistics (`GetStatistics`); of a window or plotter the list of those of
+    (`memory_limit`) and statistics (`statistics`); of a window or plotter the list of those of
     its renderers. A second call returns the same passes. Raises TypeError for anything else.
+
+    Notebooks get the exact picture with PyVista's back end "static", and with "server" and "trame"
+    while the server renders. What a browser renders itself (vtk.js; "client", "html", and
+    `export_html`) is not exact, and lacks what add_lines() and add_points() add.
     """
     passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers_of(view)]
     return passes[0] if isinstance(view, vtkRenderer) else passes

@@ -225,6 +225,34 @@ bool TestPropThatTakesNoPart()
     Check(covered > 300, std::to_string(covered) + " pixels show the prop that takes no part");
   return passed;
 }
+
+/** As labels of points draw themselves. */
+class TranslucentOverlay : public vtkActor2D
+{
+public:
+  static TranslucentOverlay* New();
+  vtkTypeMacro(TranslucentOverlay, vtkActor2D);
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 1; }
+  int RenderOverlay(vtkViewport*) override { return 0; }
+};
+vtkStandardNewMacro(TranslucentOverlay);
+
+bool TestOverlayHasNoDepthOrder()
+{
+  SphereScene scene(200, 150, 0, 2, 1);
+  vtkNew<TranslucentOverlay> overlay;
+  scene.Renderer->AddViewProp(overlay);
+  vtkExactTransparencyPass* pass = vtkTransparencyInstaller::Install(scene.Renderer);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  pass->AddObserver(vtkCommand::WarningEvent, observer);
+  Picture::Render(scene.Window);
+  bool passed =
+    Check(pass->GetStatistics()->GetBlendedProps() == 0, "the overlay is counted as blended");
+  passed &=
+    Check(!observer->GetWarning(), "a warning of an overlay: " + observer->GetWarningMessage());
+  return passed;
+}
 }
 
 int TestWindowFeatures(int, char*[])
@@ -234,5 +262,6 @@ int TestWindowFeatures(int, char*[])
   passed &= TestTransparentBackground();
   passed &= TestTiledScreenshot();
   passed &= TestPropThatTakesNoPart();
+  passed &= TestOverlayHasNoDepthOrder();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -69,6 +69,27 @@ class TestData(ViewTest):
         array = with_scalars.GetMapper().GetInput().GetPointData().GetArray("Scalars")
         self.assertEqual(vtk_to_numpy(array).tolist(), HEIGHTS)
 
+    def test_types_of_numbers(self):
+        for kind in ("?", "i1", "u8", "<i4", ">i4", "<f4", ">f4", ">f8", "f2", "g"):
+            with self.subTest(kind=kind):
+                values = numpy.array([0, 1, 1], kind)
+                actor = pellucid.add_lines(
+                    self.renderer, numpy.array(FRONT, ">f4"), scalars=values, radius=values)
+                attributes = actor.GetMapper().GetInput().GetPointData()
+                for name in ("Scalars", "Radius"):
+                    self.assertEqual(vtk_to_numpy(attributes.GetArray(name)).tolist(), [0, 1, 1])
+                self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 1))
+                self.assertEqual(actor.GetMapper().GetBounds()[4], numpy.float32(0.3) - 1)
+
+    def test_range_of_finite_values(self):
+        nan, inf = numpy.nan, numpy.inf
+        for values, expected in (
+            ([nan, 2, 3], (2, 3)), ([-inf, 2, inf], (2, 2)), ([nan] * 3, (0, 1)),
+            ([(0, 3, 4), (nan, 0, 0), (0, 0, 1)], (1, 5)),
+        ):
+            actor = pellucid.add_lines(self.renderer, FRONT, scalars=values)
+            self.assertEqual(actor.GetMapper().GetScalarRange(), expected)
+
     def test_composite_data(self):
         blocks = vtkMultiBlockDataSet()
         for i, line in enumerate((FRONT, BACK)):

@@ -32,6 +32,7 @@ SAVE = (135, 17)
 METHOD = (80, 40)
 SECOND_METHOD = (80, 75)
 RULE = (80, 200)
+SECOND_IMPORTANCE = (80, 317)
 
 
 def run(program, *arguments, **environment):
@@ -271,6 +272,17 @@ class TestPanel(WindowTest):
         picture, view = self.save()
         self.assertGreater(abs(picture - even).mean(), 0.5)
         self.assert_as_rendered(picture, view, "--optimize")
+
+    def test_importance_of_two_arrays(self):
+        first = ("--optimize", "--color-by", "Velocity", "--importance", "Velocity:0:20")
+        self.start(LINES, "--size", "320x600", *first)
+        self.save()
+        self.desktop.type_key(self.window, "r")
+        self.click_panel(SECOND_IMPORTANCE)
+        self.click_panel((SECOND_IMPORTANCE[0], SECOND_IMPORTANCE[1] + 75))
+        time.sleep(0.5)
+        picture, view = self.save()
+        self.assert_as_rendered(picture, view, *first, "--importance", "Density:50%:99%")
 
 
 class TestFiles(WindowTest):

@@ -84,12 +84,6 @@ class TestInstalled(unittest.TestCase):
         done = run(sys.executable, "-c", "import pellucid", env=environment)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
-    @unittest.skipUnless(
-        hasattr(pellucid.vtkTrajectoryMapper, "radius"), "wrapped by tools older than VTK 9.4")
-    def test_properties_in_snake_case(self):
-        mapper = pellucid.vtkTrajectoryMapper(radius=2.0, opacity_array="fade")
-        self.assertEqual((mapper.radius, mapper.GetOpacityArray()), (2.0, "fade"))
-
     def test_program_ends_as_the_program_does(self):
         done = run(PROGRAM, "no-such-file.vtk", "-o", "picture.png")
         self.assertNotEqual(done.returncode, 0)

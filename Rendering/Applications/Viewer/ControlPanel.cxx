@@ -125,38 +125,61 @@ bool EnterLimit(const char* label, RangeLimit& limit)
 }
 
 //------------------------------------------------------------------------------
+// One of the arrays that importance is made from; without a name it is not.
+bool DrawTerm(
+  const char* label, const char* none, ImportanceTerm& term, const std::vector<std::string>& arrays)
+{
+  bool isChanged = ChooseArray(label, term.Array, none, arrays);
+  if (isChanged)
+  {
+    term.Minimum = { 50.0, true };
+    term.Maximum = { 99.0, true };
+  }
+  if (!term.Array.empty())
+  {
+    isChanged |= EnterLimit("is 0", term.Minimum);
+    isChanged |= EnterLimit("is 1", term.Maximum);
+    isChanged |= Enter("weight", term.Weight);
+    term.Weight = std::max(0.0, term.Weight);
+  }
+  return isChanged;
+}
+
+//------------------------------------------------------------------------------
 void DrawImportance(ViewedScene& scene, Change& change)
 {
   RenderOptions& options = scene.Options;
+  std::vector<ImportanceTerm>& terms = options.Importance;
   const bool isFactor = options.Opacities.Rule == OpacityRule::Factor;
-  std::string array = options.Importance.empty() ? "" : options.Importance.front().Array;
-  if (ChooseArray("importance", array, isFactor ? "none" : "automatic", scene.GetArrayNames()))
+  bool isChanged = false;
+  terms.emplace_back(); // where one more can be chosen
+  for (std::size_t i = 0; i < terms.size(); ++i)
   {
-    options.Importance.clear();
-    if (!array.empty())
-    {
-      options.Importance.push_back({ array, { 50.0, true }, { 99.0, true } });
-    }
+    ImGui::PushID(static_cast<int>(i));
+    const char* none = i > 0 || isFactor ? "none" : "automatic";
+    isChanged |= DrawTerm(i == 0 ? "importance" : "and", none, terms[i], scene.GetArrayNames());
+    ImGui::PopID();
+  }
+  terms.erase(std::remove_if(terms.begin(), terms.end(),
+                [](const ImportanceTerm& term) { return term.Array.empty(); }),
+    terms.end());
+  if (!terms.empty())
+  {
+    isChanged |= Enter("exponent", options.Exponent);
+    options.Exponent = std::max(0.0, options.Exponent);
+  }
+  if (isChanged)
+  {
     Raise(change, Change::Scene);
   }
-  if (!options.Importance.empty())
-  {
-    ImportanceTerm& term = options.Importance.front();
-    bool isChanged = EnterLimit("is 0", term.Minimum);
-    isChanged |= EnterLimit("is 1", term.Maximum);
-    isChanged |= Enter("exponent", options.Exponent);
-    if (isChanged)
-    {
-      options.Exponent = std::max(0.0, options.Exponent);
-      Raise(change, Change::Scene);
-    }
-  }
   const MadeScene* made = scene.GetMade();
-  if (made && !made->Statistics.Importance.Terms.empty())
+  if (made)
   {
-    const ImportanceTerm& term = made->Statistics.Importance.Terms.front();
-    ImGui::TextWrapped("%s: %.4g to %.4g", MakePrintable(term.Array).c_str(), term.Minimum.Value,
-      term.Maximum.Value);
+    for (const ImportanceTerm& term : made->Statistics.Importance.Terms)
+    {
+      ImGui::TextWrapped("%s: %.4g to %.4g", MakePrintable(term.Array).c_str(), term.Minimum.Value,
+        term.Maximum.Value);
+    }
   }
 }
 
