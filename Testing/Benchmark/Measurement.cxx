@@ -31,8 +31,6 @@ namespace
 // Budgets that the first frame may take for another one to follow it.
 constexpr double BudgetsOfColdFrame = 4.0;
 
-constexpr double BytesPerGigabyte = 1e9;
-
 using Stages = std::vector<std::pair<std::string, double>>;
 
 //------------------------------------------------------------------------------
@@ -277,12 +275,17 @@ private:
 };
 
 //------------------------------------------------------------------------------
+std::string DescribeBytes(double bytes)
+{
+  const double unit = bytes < 1e9 ? 1e6 : 1e9;
+  return ToText(std::ceil(10.0 * bytes / unit) / 10.0) + (bytes < 1e9 ? " MB" : " GB");
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeSkipped(const std::string& what, double needed, double allowed)
 {
-  const auto round = [](double bytes)
-  { return std::to_string(std::lround(std::ceil(bytes / BytesPerGigabyte))); };
-  return what + " would need about " + round(needed) + " GB of memory; --memory allows " +
-    ToText(allowed / BytesPerGigabyte);
+  return what + " would need about " + DescribeBytes(needed) + " of memory; --memory allows " +
+    DescribeBytes(allowed);
 }
 }
 
