@@ -26,6 +26,10 @@ namespace
 {
 constexpr double White = 255.0;
 
+// Steps of 8 bits. Displacements are twice as long as what a rasteriser is off by at most, so this
+// is one step of what it may show.
+constexpr double LargestChange = 2.0;
+
 // Of the structural similarity.
 constexpr double WindowDeviation = 1.5;
 constexpr int WindowRadius = 5;
@@ -55,6 +59,14 @@ auto GetCounts(vtkImageData* counts)
 {
   return vtk::DataArrayValueRange<1>(
     vtkIntArray::SafeDownCast(counts->GetPointData()->GetScalars()));
+}
+
+//------------------------------------------------------------------------------
+template <typename Pixel>
+bool IsOtherColor(const Pixel& a, const Pixel& b)
+{
+  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) }) * White >
+    LargestChange;
 }
 
 //------------------------------------------------------------------------------
@@ -194,14 +206,17 @@ ExpectedPicture::ExpectedPicture(
 }
 
 //------------------------------------------------------------------------------
-void ExpectedPicture::AddDisplaced(vtkImageData* counts)
+void ExpectedPicture::AddDisplaced(vtkImageData* picture, vtkImageData* counts)
 {
+  CheckSameSize(picture, this->Picture);
   CheckSameSize(counts, this->Picture);
+  const auto colorsHere = GetPixels(this->Picture);
+  const auto colorsThere = GetPixels(picture);
   const auto here = GetCounts(this->Counts);
   const auto there = GetCounts(counts);
   for (vtkIdType pixel = 0; pixel < here.size(); ++pixel)
   {
-    if (here[pixel] != there[pixel])
+    if (here[pixel] != there[pixel] || IsOtherColor(colorsHere[pixel], colorsThere[pixel]))
     {
       this->Edges[pixel] = true;
     }

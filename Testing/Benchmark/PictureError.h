@@ -23,8 +23,10 @@ namespace benchmark
  * fragments of each pixel (vtkReferenceRenderer::GetFragmentCounts()).
  *
  * Where the edge of a surface runs through the centre of a pixel, to within what a rasteriser
- * resolves, both sides of it are right. Such edge pixels are those of which the number changes
- * where the picture is displaced by that small part of a pixel.
+ * resolves, both sides of it are right. Such edge pixels are those of which the number changes when
+ * the picture is displaced by that small part of a pixel. So are those of which the colour changes
+ * by more than two steps of 8 bits: there one edge takes the place of another, two surfaces
+ * intersect, or one is seen so much from its side that its shading is not resolved.
  */
 class ExpectedPicture
 {
@@ -32,8 +34,8 @@ public:
   /** Throws std::invalid_argument where the dimensions differ; so do the others. */
   ExpectedPicture(vtkSmartPointer<vtkImageData> picture, vtkSmartPointer<vtkImageData> counts);
 
-  /** Take into account the fragment counts of the same picture, displaced. */
-  void AddDisplaced(vtkImageData* counts);
+  /** Take into account the same picture, displaced. */
+  void AddDisplaced(vtkImageData* picture, vtkImageData* counts);
 
   vtkImageData* GetPicture() const { return this->Picture; }
   bool IsCovered(vtkIdType pixel) const;

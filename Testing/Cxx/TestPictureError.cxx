@@ -137,32 +137,42 @@ void CheckDifferences(
   checks.Near(what + ", maximum", found.Maximum, maximum, 1e-9);
 }
 
-// Columns of a surface, the last of which has an edge, and is wrong altogether; the background is
-// right. Another colour where nothing else is hit is no edge.
+// Columns of a surface, the last of which has an edge, and the second one, where two surfaces
+// intersect, are wrong altogether; the background is right. A little displacement changes colours a
+// little everywhere.
 void TestEdges(Checks& checks)
 {
   const int covered = 8;
   const auto count = [](int x, int) { return x < covered ? 2 : 0; };
   const Value value = [](int x, int) { return x < covered ? 200.0 : 20.0; };
   ExpectedPicture expected = MakeExpected(value, Width, count);
-  expected.AddDisplaced(MakeCounts([&](int x, int) { return x < covered - 1 ? 2 : 0; }));
-  expected.AddDisplaced(MakeCounts(count));
-  const PictureError error = FindPictureError(
-    MakeShown([](int x, int) { return x < covered - 1 ? 203.0
-                                 : x < covered        ? 0.0
-                                                      : 20.0; }),
-    expected);
-  checks.True("edges", error.EdgePixels == Height);
+  const auto shift = [&value](double change)
+  {
+    return MakePicture(VTK_DOUBLE, 1.0 / 255.0, [=](int x, int y) { return value(x, y) + change; });
+  };
+  expected.AddDisplaced(
+    shift(1.9), MakeCounts([&](int x, int) { return x < covered - 1 ? 2 : 0; }));
+  expected.AddDisplaced(MakePicture(VTK_DOUBLE, 1.0 / 255.0,
+                          [&](int x, int y) { return value(x, y) - (x == 1 ? 2.1 : 0.0); }),
+    MakeCounts(count));
+  expected.AddDisplaced(shift(-1.9), MakeCounts(count));
+  const auto isWrong = [](int x) { return x == 1 || x == covered - 1; };
+  const PictureError error =
+    FindPictureError(MakeShown([&](int x, int y)
+                       { return isWrong(x) ? 0.0 : value(x, y) + (x < covered ? 3.0 : 0.0); }),
+      expected);
+  checks.True("edges", error.EdgePixels == 2 * Height);
   checks.True("covered", error.CoveredPixels == covered * Height);
-  CheckDifferences(checks, "no edges", error, std::sqrt(9.0 * 7.0 / (Width - 1)), 3.0);
+  CheckDifferences(checks, "no edges", error, std::sqrt(9.0 * 6.0 / (Width - 2)), 3.0);
   CheckDifferences(checks, "covered", error.Covered, 3.0, 3.0);
-  CheckDifferences(checks, "all", error.All, std::sqrt((9.0 * 7.0 + 200.0 * 200.0) / Width), 200.0);
+  CheckDifferences(
+    checks, "all", error.All, std::sqrt((9.0 * 6.0 + 2.0 * 200.0 * 200.0) / Width), 200.0);
 }
 
 void TestOnlyEdges(Checks& checks)
 {
   ExpectedPicture expected = MakeExpected(Pattern);
-  expected.AddDisplaced(MakeCounts([](int, int) { return 2; }));
+  expected.AddDisplaced(expected.GetPicture(), MakeCounts([](int, int) { return 2; }));
   const PictureError error = FindPictureError(MakeShown(Pattern), expected);
   checks.True("only edges", error.EdgePixels == Width * Height);
   checks.True("only edges, no error",
@@ -201,8 +211,10 @@ void TestSizes(Checks& checks)
   const int other = Width - 1;
   CheckRefusal(
     checks, "another picture", [&] { FindPictureError(MakeShown(Pattern, other), expected); });
-  CheckRefusal(
-    checks, "another displaced one", [&] { expected.AddDisplaced(MakeCounts(One, other)); });
+  CheckRefusal(checks, "another displaced one",
+    [&] { expected.AddDisplaced(expected.GetPicture(), MakeCounts(One, other)); });
+  CheckRefusal(checks, "another displaced picture",
+    [&] { expected.AddDisplaced(MakeExpected(Pattern, other).GetPicture(), MakeCounts(One)); });
   CheckRefusal(checks, "another number of counts",
     [&] { ExpectedPicture(expected.GetPicture(), MakeCounts(One, other)); });
 }
