@@ -221,11 +221,11 @@ public:
     for (const auto& contestant : contestants)
     {
       rows.push_back(contestant->GetResult());
+      rows.back().IsInterleaved = contestants.size() > 1;
     }
     if (rows.size() == 1)
     {
       rows.front().BufferBytes = FindBufferBytes();
-      rows.front().IsInterleaved = false;
     }
     return rows;
   }

@@ -119,7 +119,7 @@ class TestFiles(BenchmarkTest):
         self.assertAlmostEqual(row["psnr"], 20 * math.log10(255 / row["rmse"]), 9)
         self.assertTrue(0.5 < row["ssim"] <= 1)
         self.assertTrue(0 < row["covered_pixels"] < 200 * 150)
-        self.assertLess(row["edge_pixels"], 0.1 * row["covered_pixels"])
+        self.assertLess(row["edge_pixels"], 0.2 * row["covered_pixels"])
         self.assertLess(row["rmse"], row["rmse_covered"])
         self.assertGreaterEqual(row["max_error_all_pixels"], row["max_error"])
 
@@ -160,7 +160,7 @@ class TestFiles(BenchmarkTest):
         self.assertGreater(triangles["fragments"], 1000)
         self.assertIsNone(triangles["rmse"])
         self.assertEqual(triangles["skipped"],
-                         "the reference would need about 24 MB of memory; --memory allows 7 MB")
+                         "the reference would need about 23.8 MB of memory; --memory allows 7 MB")
         self.assertIsNone(cones["skipped"])
         self.assertLessEqual(cones["max_error"], 1)
 
@@ -215,13 +215,15 @@ class TestFiles(BenchmarkTest):
         self.assertIsNone(fragments["time_exponent"])  # of one size
         self.assertIn("exponent of time unknown, of memory unknown", table.read_text())
 
-        for method, bytes_of_segment in (("pellucid", 24), ("vtk-unsorted", 400)):
+        # Place, colour and the indices of six corners; 8 points of a tube and 16 triangles.
+        for method, bytes_of_segment in (("pellucid", 16 + 4 + 24), ("vtk-unsorted", 400)):
             with self.subTest(method):
                 line = series[method, "segments"]
                 few, *_, many = line["rows"]
                 self.assertEqual((few["segments"], many["segments"]), (1000, 10000))
-                grown = many["buffer_bytes"] - few["buffer_bytes"]
-                self.assertAlmostEqual(grown / 9000 / bytes_of_segment, 1, delta=0.5)
+                geometry = [row["buffer_bytes"] - (row["bytes"] or 0) for row in (few, many)]
+                grown = geometry[1] - geometry[0]
+                self.assertAlmostEqual(grown / 9000 / bytes_of_segment, 1, delta=0.2)
                 exponent = math.log10(many["buffer_bytes"] / few["buffer_bytes"])
                 self.assertGreater(line["memory_exponent"], 0)
                 self.assertAlmostEqual(line["memory_exponent"], exponent, delta=0.15)
