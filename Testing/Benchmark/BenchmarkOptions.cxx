@@ -7,6 +7,9 @@
 #include "OptionText.h"
 #include "Program.h"
 
+#include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
 #include <iostream>
 
 namespace pellucid
@@ -25,11 +28,28 @@ Examples:
 
 // What belongs to --quick where nothing else is asked for.
 const std::vector<std::string> QuickScenes = { "abc-100", "layers-64" };
-const std::vector<std::string> UsualScenes = { "abc-100", "abc-1000", "abc-5000", "combustor",
-  "points-10000", "surfaces-16", "layers-64", "layers-512" };
+const std::vector<std::string> UsualScenes = { "abc-100", "abc-1000", "abc-5000", "abc-10000",
+  "abc-100000", "combustor", "points-10000", "surfaces-16", "layers-64", "layers-512" };
 constexpr std::array<int, 2> QuickSize = { 200, 150 };
-constexpr int QuickFrames = 3;
 constexpr double QuickBudget = 2.0;
+
+//------------------------------------------------------------------------------
+// What is asked for twice is measured once.
+template <typename Value>
+void AppendNew(std::vector<Value>& list, const Value& value)
+{
+  if (std::find(list.begin(), list.end(), value) == list.end())
+  {
+    list.push_back(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+double GetMemoryOfMachine()
+{
+  vtksys::SystemInformation system;
+  return 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
+}
 
 //------------------------------------------------------------------------------
 void AddFiles(CLI::App& app, BenchmarkOptions& options)
@@ -70,7 +90,7 @@ void AddChoices(CLI::App& app, BenchmarkOptions& options)
       {
         Refuse("--size", "WxH in pixels, each 1 to " + std::to_string(LargestSide), text);
       }
-      options.Sizes.push_back(*size);
+      AppendNew(options.Sizes, *size);
     },
     "WxH", "Pixels of the window; default 800x600");
   group.AddRepeatable(
@@ -82,9 +102,20 @@ void AddChoices(CLI::App& app, BenchmarkOptions& options)
       {
         Refuse("--alpha", "a number above 0 and below 1", text);
       }
-      options.Opacities.push_back(*alpha);
+      AppendNew(options.Opacities, *alpha);
     },
     "A", "Opacity of everything; default 0.3");
+}
+
+//------------------------------------------------------------------------------
+// A plot without errors of scenes would be empty.
+void CheckPlot(const BenchmarkOptions& options, bool skipsErrors)
+{
+  if (!options.PlotFile.empty() && (options.MeasuresScaling || skipsErrors))
+  {
+    Refuse(
+      "--plot", "errors of scenes to draw", options.MeasuresScaling ? "--scaling" : "--no-errors");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -117,17 +148,23 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   options.DataFolder = PELLUCID_DATA_FOLDER;
   bool isQuick = false;
   bool skipsErrors = false;
-  std::optional<int> frames;
   std::optional<double> budget;
+  std::optional<int> interleaved;
+  std::optional<double> gigabytes;
   CLI::App app("Compare methods to draw translucent geometry: time, memory, error.", ProgramName);
   app.footer(Examples);
   AddFiles(app, options);
   AddChoices(app, options);
   OptionGroup group(app, "Measuring");
-  group.AddFlag("--quick", isQuick, "Two small scenes, few frames: to see that all methods work");
-  group.AddInteger("--frames", frames, 1, 10000, "N", "Frames to time of each method; default 9");
+  group.AddFlag("--quick", isQuick, "Two small scenes, little time: to see that all methods work");
+  group.AddInteger("--frames", options.Settings.Frames, 1, 10000, "N",
+    "Frames to time of each method; default 9, an odd number for a median that is one of them");
   group.AddNumber("--budget", budget, 0.0, OptionGroup::Unbounded, "SECONDS",
     "Time after which a method gets no more frames of a scene; default 20");
+  group.AddInteger("--interleave", interleaved, 0, OptionGroup::LargestInteger, "N",
+    "Segments up to which the methods of a scene take turns; default 500000");
+  group.AddNumber("--memory", gigabytes, 0.0, OptionGroup::Unbounded, "GB",
+    "Memory that a method may need; default: three quarters of the machine's");
   group.AddFlag("--no-errors", skipsErrors,
     "Measure no errors: the reference takes minutes and gigabytes for 1e8 fragments");
   group.AddText("--data", options.DataFolder, "FOLDER", "Where the samples are; default: Data/");
@@ -142,6 +179,7 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   try
   {
     app.parse(argc, argv);
+    CheckPlot(options, skipsErrors);
   }
   catch (const CLI::Success& success)
   {
@@ -152,9 +190,10 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
     std::cerr << ProgramName << ": " << error.what() << " (see " << ProgramName << " --help)\n";
     exitCode = 2;
   }
-  options.Settings.Frames = frames.value_or(isQuick ? QuickFrames : options.Settings.Frames);
   options.Settings.Budget = budget.value_or(isQuick ? QuickBudget : options.Settings.Budget);
   options.Settings.FindsErrors = !skipsErrors;
+  options.Settings.InterleavedSegments = interleaved.value_or(options.Settings.InterleavedSegments);
+  options.Settings.Memory = gigabytes ? 1e9 * *gigabytes : 0.75 * GetMemoryOfMachine();
   Complete(options, isQuick);
   return options;
 }

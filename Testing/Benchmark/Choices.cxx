@@ -21,7 +21,7 @@ namespace benchmark
 {
 namespace
 {
-constexpr int WidthOfNames = 24;
+constexpr int WidthOfNames = 30;
 
 //------------------------------------------------------------------------------
 // * stands for any text, ? for one character.

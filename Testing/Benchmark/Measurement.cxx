@@ -3,17 +3,22 @@
 
 #include "Measurement.h"
 
+#include "BufferMemory.h"
+#include "Expectation.h"
 #include "PictureWindow.h"
+#include "PlainText.h"
 #include "Statistics.h"
 
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkCandidatePass.h"
 #include "vtkExactTransparencyPass.h"
-#include "vtkReferenceRenderer.h"
 #include "vtkRenderer.h"
 #include "vtkTransparencyInstaller.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 
@@ -23,52 +28,10 @@ namespace benchmark
 {
 namespace
 {
-// Pixels, to either side of an edge of a surface, that may show any side of it. OpenGL places
-// vertices on a grid of 1/256 pixel or finer.
-constexpr double EdgeWidth = 1.0 / 256.0;
+// Budgets that the first frame may take for another one to follow it.
+constexpr double BudgetsOfColdFrame = 4.0;
 
 using Stages = std::vector<std::pair<std::string, double>>;
-
-//------------------------------------------------------------------------------
-// What a renderer should show in its first view; methods that draw the same form share it.
-struct Expectation
-{
-  ExpectedPicture Picture;
-  vtkIdType Fragments;
-  vtkIdType LongestList;
-};
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkReferenceRenderer> DrawReference(
-  vtkRenderer* renderer, const std::array<int, 2>& size)
-{
-  auto reference = vtkSmartPointer<vtkReferenceRenderer>::New();
-  reference->SetRenderer(renderer);
-  reference->SetSize(size[0], size[1]);
-  reference->Update();
-  return reference;
-}
-
-//------------------------------------------------------------------------------
-// A point in one corner of a square is beyond every straight edge that is nearer to its middle than
-// its sides.
-Expectation FindExpectation(vtkRenderer* renderer, const std::array<int, 2>& size)
-{
-  const auto reference = DrawReference(renderer, size);
-  Expectation expectation{ ExpectedPicture(reference->GetImage()),
-    reference->GetNumberOfFragments(), reference->GetLongestList() };
-  vtkCamera* camera = renderer->GetActiveCamera();
-  for (const double x : { -EdgeWidth, EdgeWidth })
-  {
-    for (const double y : { -EdgeWidth, EdgeWidth })
-    {
-      camera->SetWindowCenter(2.0 * x / size[0], 2.0 * y / size[1]);
-      expectation.Picture.AddDisplaced(DrawReference(renderer, size)->GetImage());
-    }
-  }
-  camera->SetWindowCenter(0.0, 0.0);
-  return expectation;
-}
 
 //------------------------------------------------------------------------------
 Stages GetStages(vtkTransparencyStatistics* statistics)
@@ -107,6 +70,22 @@ Stages FindMedians(const std::vector<Stages>& frames)
 }
 
 //------------------------------------------------------------------------------
+// What is known before anything is drawn.
+Row MakeRow(const Scene& scene, const Method& method, const MeasurementSettings& settings)
+{
+  Row row;
+  row.Scene = scene.GetName();
+  row.Method = method.Name;
+  row.Family = method.Family;
+  row.Width = settings.Size[0];
+  row.Height = settings.Size[1];
+  row.Opacity = settings.Opacity;
+  row.Segments = scene.GetNumberOfSegments();
+  row.HasOptimizedOpacities = method.HasOptimizedOpacities();
+  return row;
+}
+
+//------------------------------------------------------------------------------
 // A method at work on a scene, in a window that it shares with others.
 class Contestant
 {
@@ -115,27 +94,21 @@ public:
     PictureWindow& window, Scene& scene, const Method& method, const MeasurementSettings& settings)
     : Window(window)
     , Settings(settings)
+    , Result(MakeRow(scene, method, settings))
   {
     this->Renderer->DrawOff();
     window.AddRenderer(this->Renderer);
     scene.AddTo(this->Renderer, method.Form, settings.Opacity);
     method.Prepare(this->Renderer);
-    this->Result.Scene = scene.GetName();
-    this->Result.Method = method.Name;
-    this->Result.Family = method.Family;
-    this->Result.Width = settings.Size[0];
-    this->Result.Height = settings.Size[1];
-    this->Result.Opacity = settings.Opacity;
-    this->Result.Segments = scene.GetNumberOfSegments();
-    this->Result.HasOptimizedOpacities = method.HasOptimizedOpacities();
   }
 
-  /** Draw the first view, and compare it unless nothing is expected. */
+  /** Draw the first view, and compare it if a picture is expected. */
   void DrawFirst(const Expectation* expectation)
   {
     const double milliseconds = this->Draw();
-    if (milliseconds >= 1000.0 * this->Settings.Budget)
+    if (milliseconds > 1000.0 * BudgetsOfColdFrame * this->Settings.Budget)
     {
+      this->Result.IsCold = true;
       this->Record(milliseconds);
     }
     if (vtkTransparencyStatistics* statistics = this->GetStatistics())
@@ -149,9 +122,9 @@ public:
       this->Result.Fragments = expectation->Fragments;
       this->Result.LongestList = expectation->LongestList;
     }
-    if (expectation)
+    if (expectation && expectation->Picture)
     {
-      this->Result.Error = FindPictureError(this->Window.Grab(false), expectation->Picture);
+      this->Result.Error = FindPictureError(this->Window.Grab(false), *expectation->Picture);
     }
   }
 
@@ -165,6 +138,8 @@ public:
       this->Record(this->Draw());
     }
   }
+
+  bool HasStatistics() { return this->GetStatistics() != nullptr; }
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
@@ -209,49 +184,136 @@ private:
   const MeasurementSettings& Settings;
   vtkNew<vtkRenderer> Renderer;
   Row Result;
-  std::vector<Stages> FrameStages;
-  double Spent = 0.0; // milliseconds
+  std::vector<Stages> FrameStages; // of the frames that are timed
+  double Spent = 0.0;              // milliseconds
 };
+
+//------------------------------------------------------------------------------
+// Methods that share a scene, and what is expected of them.
+class Contest
+{
+public:
+  Contest(Scene& scene, const MeasurementSettings& settings)
+    : Shown(scene)
+    , Settings(settings)
+  {
+  }
+
+  /** In one window, frame by frame in turn. */
+  std::vector<Row> MeasureInTurn(const std::vector<Method>& methods)
+  {
+    PictureWindow window(this->Settings.Size);
+    std::vector<std::unique_ptr<Contestant>> contestants;
+    for (const Method& method : methods)
+    {
+      contestants.push_back(
+        std::make_unique<Contestant>(window, this->Shown, method, this->Settings));
+      contestants.back()->DrawFirst(this->Expect(*contestants.back(), method.Form));
+    }
+    for (int frame = 0; frame < this->Settings.Frames; ++frame)
+    {
+      for (const auto& contestant : contestants)
+      {
+        contestant->DrawNext();
+      }
+    }
+    std::vector<Row> rows;
+    for (const auto& contestant : contestants)
+    {
+      rows.push_back(contestant->GetResult());
+      rows.back().IsInterleaved = contestants.size() > 1;
+    }
+    if (rows.size() == 1)
+    {
+      rows.front().BufferBytes = FindBufferBytes();
+    }
+    return rows;
+  }
+
+  /** Each in a window of its own, with no data of the others in memory. */
+  std::vector<Row> MeasureOneByOne(const std::vector<Method>& methods)
+  {
+    std::vector<Row> rows;
+    for (const Method& method : methods)
+    {
+      this->Shown.ReleaseOtherForms(method.Form);
+      rows.push_back(this->MeasureInTurn({ method }).front());
+    }
+    return rows;
+  }
+
+private:
+  /** Nothing where it is not asked for, and the method counts its fragments itself. */
+  const Expectation* Expect(Contestant& contestant, Geometry form)
+  {
+    if (this->Shown.HasPolygons())
+    {
+      form = Geometry::Triangles;
+    }
+    const bool draws =
+      this->Settings.FindsErrors && this->Shown.EstimateBytes(form, true) <= this->Settings.Memory;
+    if (!draws && contestant.HasStatistics())
+    {
+      return nullptr;
+    }
+    auto found = this->Expectations.find(form);
+    if (found == this->Expectations.end())
+    {
+      const auto& size = this->Settings.Size;
+      found = this->Expectations
+                .emplace(form,
+                  draws ? DrawExpectation(contestant.GetRenderer(), size)
+                        : CountFragments(this->Shown, form, this->Settings.Opacity, size))
+                .first;
+    }
+    return &found->second;
+  }
+
+  Scene& Shown;
+  const MeasurementSettings& Settings;
+  std::map<Geometry, Expectation> Expectations;
+};
+
+//------------------------------------------------------------------------------
+std::string DescribeBytes(double bytes)
+{
+  const double unit = bytes < 1e9 ? 1e6 : 1e9;
+  return ToText(std::ceil(10.0 * bytes / unit) / 10.0) + (bytes < 1e9 ? " MB" : " GB");
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeSkipped(const std::string& what, double needed, double allowed)
+{
+  return what + " would need about " + DescribeBytes(needed) + " of memory; --memory allows " +
+    DescribeBytes(allowed);
+}
 }
 
 //------------------------------------------------------------------------------
 std::vector<Row> Measure(
   Scene& scene, const std::vector<Method>& methods, const MeasurementSettings& settings)
 {
-  PictureWindow window(settings.Size);
-  std::vector<std::unique_ptr<Contestant>> contestants;
+  const auto fits = [&scene, &settings](const Method& method)
+  { return scene.EstimateBytes(method.Form, false) <= settings.Memory; };
+  std::vector<Method> fitting;
+  std::copy_if(methods.begin(), methods.end(), std::back_inserter(fitting), fits);
+  Contest contest(scene, settings);
+  const auto measured = scene.GetNumberOfSegments() <= settings.InterleavedSegments
+    ? contest.MeasureInTurn(fitting)
+    : contest.MeasureOneByOne(fitting);
+
+  std::vector<Row> rows;
+  auto next = measured.begin();
   for (const Method& method : methods)
   {
-    contestants.push_back(std::make_unique<Contestant>(window, scene, method, settings));
-  }
-  std::map<Geometry, Expectation> expectations;
-  for (std::size_t i = 0; i < methods.size(); ++i)
-  {
-    const Expectation* expectation = nullptr;
-    if (settings.FindsErrors)
+    const bool wasMeasured = fits(method);
+    rows.push_back(wasMeasured ? *next++ : MakeRow(scene, method, settings));
+    const double needed = scene.EstimateBytes(method.Form, wasMeasured && settings.FindsErrors);
+    if (needed > settings.Memory)
     {
-      const Geometry form = scene.HasPolygons() ? Geometry::Triangles : methods[i].Form;
-      auto found = expectations.find(form);
-      if (found == expectations.end())
-      {
-        vtkRenderer* renderer = contestants[i]->GetRenderer();
-        found = expectations.emplace(form, FindExpectation(renderer, settings.Size)).first;
-      }
-      expectation = &found->second;
+      rows.back().Skipped =
+        DescribeSkipped(wasMeasured ? "the reference" : "the method", needed, settings.Memory);
     }
-    contestants[i]->DrawFirst(expectation);
-  }
-  for (int frame = 0; frame < settings.Frames; ++frame)
-  {
-    for (const auto& contestant : contestants)
-    {
-      contestant->DrawNext();
-    }
-  }
-  std::vector<Row> rows;
-  for (const auto& contestant : contestants)
-  {
-    rows.push_back(contestant->GetResult());
   }
   return rows;
 }

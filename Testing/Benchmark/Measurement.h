@@ -13,6 +13,7 @@
 #include "Scenes.h"
 
 #include <array>  // for the size
+#include <limits> // for no limit
 #include <vector> // for methods and rows
 
 namespace pellucid
@@ -28,20 +29,29 @@ struct MeasurementSettings
   int Frames = 9;
 
   /**
-   * Seconds after which a method gets no more frames, at least 0. One that takes longer for its
-   * first frame, which makes its shaders and buffers and otherwise does not count, has that alone.
+   * Seconds after which a method gets no more frames, at least 0. The first frame, which makes
+   * shaders and buffers, does not count, and another one follows it, unless it took more than four
+   * times as long as this: then it is the only one, and marked as cold.
    */
   double Budget = 20.0;
 
   /** Whether to compare with vtkReferenceRenderer, at its cost. */
   bool FindsErrors = true;
+
+  /** Segments up to which the methods of a scene share a window and take turns. Each method has
+   * larger scenes alone, and what it held is released before the next one begins. */
+  vtkIdType InterleavedSegments = 500000;
+
+  /** Bytes that a method may take. It is skipped where an estimate says that it needs more, and is
+   * not compared where the reference does. */
+  double Memory = std::numeric_limits<double>::max();
 };
 
 /**
- * One row for each method, in their order. The methods share a window. Each draws the first view,
- * the picture of which is compared; then they take turns frame by frame, so that a busy machine
- * slows all of them, in views that turn round the scene by a degree from frame to frame. Throws
- * RenderError where a frame cannot be drawn.
+ * One row for each method, in their order. Each draws the first view, the picture of which is
+ * compared; then they take turns frame by frame, so that a busy machine slows all of them, in views
+ * that turn round the scene by a degree from frame to frame. Throws RenderError where a frame
+ * cannot be drawn.
  */
 std::vector<Row> Measure(
   Scene& scene, const std::vector<Method>& methods, const MeasurementSettings& settings);

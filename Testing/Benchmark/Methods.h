@@ -37,7 +37,7 @@ struct Method
   bool Suits(const Scene& scene) const;
 };
 
-/** All of them, the fastest of each family first. */
+/** All of them: VTK's, those of the product, and candidates for it. */
 const std::vector<Method>& GetMethods();
 }
 }

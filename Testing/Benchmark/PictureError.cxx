@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkImageGaussianSmooth.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace pellucid
 {
@@ -23,8 +26,9 @@ namespace
 {
 constexpr double White = 255.0;
 
-// Of components, across an edge.
-constexpr double Step = 1.0;
+// Steps of 8 bits. Displacements are twice as long as what a rasteriser is off by at most, so this
+// is one step of what it may show.
+constexpr double LargestChange = 2.0;
 
 // Of the structural similarity.
 constexpr double WindowDeviation = 1.5;
@@ -49,6 +53,72 @@ auto GetPixels(vtkImageData* picture)
   return vtk::DataArrayTupleRange(
     vtkDoubleArray::SafeDownCast(picture->GetPointData()->GetScalars()));
 }
+
+//------------------------------------------------------------------------------
+auto GetCounts(vtkImageData* counts)
+{
+  return vtk::DataArrayValueRange<1>(
+    vtkIntArray::SafeDownCast(counts->GetPointData()->GetScalars()));
+}
+
+//------------------------------------------------------------------------------
+template <typename Pixel>
+bool IsOtherColor(const Pixel& a, const Pixel& b)
+{
+  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) }) * White >
+    LargestChange;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeSize(vtkImageData* picture)
+{
+  const int* size = picture->GetDimensions();
+  return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+}
+
+//------------------------------------------------------------------------------
+void CheckSameSize(vtkImageData* picture, vtkImageData* expected)
+{
+  const std::string found = DescribeSize(picture);
+  const std::string wanted = DescribeSize(expected);
+  if (found != wanted)
+  {
+    throw std::invalid_argument(
+      "a picture of " + wanted + " pixels was expected to compare with, found are " + found);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Differences of the pixels that have been added.
+class DifferenceSum
+{
+public:
+  template <typename Found, typename Wanted>
+  void Add(const Found& found, const Wanted& wanted)
+  {
+    ++this->Pixels;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double value = White * wanted[i];
+      const double difference = found[i] - value;
+      this->Squares += difference * difference;
+      this->Maximum = std::max(this->Maximum, std::abs(found[i] - std::round(value)));
+    }
+  }
+
+  Differences Get() const
+  {
+    constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+    return this->Pixels > 0
+      ? Differences{ std::sqrt(this->Squares / (3.0 * this->Pixels)), this->Maximum }
+      : Differences{ notANumber, notANumber };
+  }
+
+private:
+  vtkIdType Pixels = 0;
+  double Squares = 0.0;
+  double Maximum = 0.0;
+};
 
 //------------------------------------------------------------------------------
 // ITU-R BT.601.
@@ -126,54 +196,69 @@ double FindMeanSimilarity(vtkImageData* shown, vtkImageData* expected)
 }
 
 //------------------------------------------------------------------------------
-ExpectedPicture::ExpectedPicture(vtkSmartPointer<vtkImageData> picture)
+ExpectedPicture::ExpectedPicture(
+  vtkSmartPointer<vtkImageData> picture, vtkSmartPointer<vtkImageData> counts)
   : Picture(std::move(picture))
+  , Counts(std::move(counts))
   , Edges(this->Picture->GetNumberOfPoints(), false)
 {
+  CheckSameSize(this->Counts, this->Picture);
 }
 
 //------------------------------------------------------------------------------
-void ExpectedPicture::AddDisplaced(vtkImageData* displaced)
+void ExpectedPicture::AddDisplaced(vtkImageData* picture, vtkImageData* counts)
 {
-  const auto pixels = GetPixels(this->Picture);
-  const auto others = GetPixels(displaced);
-  for (vtkIdType pixel = 0; pixel < pixels.size(); ++pixel)
+  CheckSameSize(picture, this->Picture);
+  CheckSameSize(counts, this->Picture);
+  const auto colorsHere = GetPixels(this->Picture);
+  const auto colorsThere = GetPixels(picture);
+  const auto here = GetCounts(this->Counts);
+  const auto there = GetCounts(counts);
+  for (vtkIdType pixel = 0; pixel < here.size(); ++pixel)
   {
-    for (int i = 0; i < 3; ++i)
+    if (here[pixel] != there[pixel] || IsOtherColor(colorsHere[pixel], colorsThere[pixel]))
     {
-      if (White * std::abs(others[pixel][i] - pixels[pixel][i]) > Step)
-      {
-        this->Edges[pixel] = true;
-      }
+      this->Edges[pixel] = true;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool ExpectedPicture::IsCovered(vtkIdType pixel) const
+{
+  return GetCounts(this->Counts)[pixel] > 0;
 }
 
 //------------------------------------------------------------------------------
 PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expected)
 {
+  CheckSameSize(shown, expected.GetPicture());
   const auto found = vtk::DataArrayTupleRange(
     vtkUnsignedCharArray::SafeDownCast(shown->GetPointData()->GetScalars()));
   const auto wanted = GetPixels(expected.GetPicture());
   PictureError error;
-  double squares = 0.0;
+  DifferenceSum inner;
+  DifferenceSum covered;
+  DifferenceSum all;
   for (vtkIdType pixel = 0; pixel < found.size(); ++pixel)
   {
-    if (expected.IsEdge(pixel))
+    const bool isEdge = expected.IsEdge(pixel);
+    const bool isCovered = expected.IsCovered(pixel);
+    error.EdgePixels += isEdge;
+    error.CoveredPixels += isCovered;
+    all.Add(found[pixel], wanted[pixel]);
+    if (!isEdge)
     {
-      ++error.EdgePixels;
-      continue;
+      inner.Add(found[pixel], wanted[pixel]);
     }
-    for (int i = 0; i < 3; ++i)
+    if (isCovered && !isEdge)
     {
-      const double value = White * wanted[pixel][i];
-      const double difference = found[pixel][i] - value;
-      squares += difference * difference;
-      error.Maximum = std::max(error.Maximum, std::abs(found[pixel][i] - std::round(value)));
+      covered.Add(found[pixel], wanted[pixel]);
     }
   }
-  const vtkIdType measured = found.size() - error.EdgePixels;
-  error.RootMeanSquare = measured > 0 ? std::sqrt(squares / (3.0 * measured)) : 0.0;
+  static_cast<Differences&>(error) = inner.Get();
+  error.Covered = covered.Get();
+  error.All = all.Get();
   error.PeakSignalToNoise = 20.0 * std::log10(White / error.RootMeanSquare);
   error.StructuralSimilarity = FindMeanSimilarity(shown, expected.GetPicture());
   return error;

@@ -19,38 +19,52 @@ namespace pellucid
 namespace benchmark
 {
 /**
- * A picture as it should be, RGB or RGBA of double in [0,1].
+ * A picture as it should be, RGB or RGBA of double in [0,1], with the number of translucent
+ * fragments of each pixel (vtkReferenceRenderer::GetFragmentCounts()).
  *
  * Where the edge of a surface runs through the centre of a pixel, to within what a rasteriser
- * resolves, both sides of it are right. Such edge pixels are those that change by more than a step
- * of 8 bits where the picture is displaced by that small part of a pixel; no method is measured by
- * them.
+ * resolves, both sides of it are right. Such edge pixels are those of which the number changes when
+ * the picture is displaced by that small part of a pixel. So are those of which the colour changes
+ * by more than two steps of 8 bits: there one edge takes the place of another, two surfaces
+ * intersect, or one is seen so much from its side that its shading is not resolved.
  */
 class ExpectedPicture
 {
 public:
-  explicit ExpectedPicture(vtkSmartPointer<vtkImageData> picture);
+  /** Throws std::invalid_argument where the dimensions differ; so do the others. */
+  ExpectedPicture(vtkSmartPointer<vtkImageData> picture, vtkSmartPointer<vtkImageData> counts);
 
   /** Take into account the same picture, displaced. */
-  void AddDisplaced(vtkImageData* displaced);
+  void AddDisplaced(vtkImageData* picture, vtkImageData* counts);
 
   vtkImageData* GetPicture() const { return this->Picture; }
+  bool IsCovered(vtkIdType pixel) const;
   bool IsEdge(vtkIdType pixel) const { return this->Edges[pixel]; }
 
 private:
   vtkSmartPointer<vtkImageData> Picture;
+  vtkSmartPointer<vtkImageData> Counts;
   std::vector<bool> Edges;
 };
 
-/** Differences of colours, in steps of 8 bits where there is no other unit. */
-struct PictureError
+/** Differences of some pixels, in steps of 8 bits; NaN without pixels. */
+struct Differences
 {
-  /** Root of the mean square over all components of pixels that are no edges; rounding gives 0.29.
-   */
+  /** Root of the mean square over all components; rounding gives 0.29. */
   double RootMeanSquare = 0.0;
 
   /** Largest difference of a component to what the expected picture is when rounded. */
   double Maximum = 0.0;
+};
+
+/** The differences by which a method is measured, of the pixels that are no edges; and others. */
+struct PictureError : Differences
+{
+  /** Of those with translucent fragments that are no edges. */
+  Differences Covered;
+
+  /** Of all pixels. */
+  Differences All;
 
   /** 20 log10(255 / RootMeanSquare) in dB; infinite for equal pictures. */
   double PeakSignalToNoise = 0.0;
@@ -64,13 +78,13 @@ struct PictureError
    */
   double StructuralSimilarity = 0.0;
 
-  /** Pixels that are not measured. */
+  vtkIdType CoveredPixels = 0;
   vtkIdType EdgePixels = 0;
 };
 
 /**
  * Compare `shown`, 3 or more components of unsigned char, with a picture of the same dimensions.
- * Only the first 3 components count.
+ * Only the first 3 components count. Throws std::invalid_argument where the dimensions differ.
  */
 PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expected);
 }

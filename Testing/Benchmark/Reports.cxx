@@ -5,11 +5,13 @@
 
 #include "PlainText.h"
 #include "RenderError.h"
+#include "ResultFile.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace pellucid
@@ -49,16 +51,26 @@ Json ToJson(const Row& row)
     { "fragments", ToJson(row.Fragments) },
     { "longest_list", ToJson(row.LongestList) },
     { "frames", row.Milliseconds.size() },
+    { "cold", row.IsCold },
+    { "interleaved", row.IsInterleaved },
     { "median_ms", row.GetMedian() },
-    { "min_ms", row.GetMinimum() },
-    { "max_ms", row.GetMaximum() },
+    { "min_ms", row.GetTime(0.0) },
+    { "lower_quartile_ms", row.GetTime(0.25) },
+    { "upper_quartile_ms", row.GetTime(0.75) },
+    { "max_ms", row.GetTime(1.0) },
     { "stages", stages },
     { "bytes", ToJson(row.Bytes) },
+    { "buffer_bytes", ToJson(row.BufferBytes) },
     { "rmse", error ? Json(error->RootMeanSquare) : Json() },
     { "max_error", error ? Json(error->Maximum) : Json() },
     { "psnr", error ? Json(error->PeakSignalToNoise) : Json() },
     { "ssim", error ? Json(error->StructuralSimilarity) : Json() },
+    { "rmse_covered", error ? Json(error->Covered.RootMeanSquare) : Json() },
+    { "rmse_all_pixels", error ? Json(error->All.RootMeanSquare) : Json() },
+    { "max_error_all_pixels", error ? Json(error->All.Maximum) : Json() },
+    { "covered_pixels", error ? Json(error->CoveredPixels) : Json() },
     { "edge_pixels", error ? Json(error->EdgePixels) : Json() },
+    { "skipped", row.Skipped.empty() ? Json() : Json(row.Skipped) },
     { "on_front", row.IsOnFront },
   };
 }
@@ -72,6 +84,19 @@ Json ToJson(const std::vector<Row>& rows)
     list.push_back(ToJson(row));
   }
   return list;
+}
+
+//------------------------------------------------------------------------------
+// RFC 4180, where it is needed.
+std::string Quote(const std::string& text)
+{
+  if (text.find_first_of(",;\"\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::ostringstream quoted;
+  quoted << std::quoted(text, '"', '"');
+  return quoted.str();
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +118,7 @@ std::string ToCsv(const Json& value)
   }
   if (value.is_string())
   {
-    return value.get<std::string>();
+    return Quote(value.get<std::string>());
   }
   const std::string text = value.dump();
   return text == "null" ? "" : text;
@@ -139,12 +164,31 @@ bool HaveSameTable(const Row& a, const Row& b)
 }
 
 //------------------------------------------------------------------------------
+// Two columns.
+std::string DescribeTime(const Row& row)
+{
+  if (row.Milliseconds.empty())
+  {
+    return "skipped | ";
+  }
+  return ToMilliseconds(row.GetMedian()) +
+    (row.IsCold
+        ? " | cold"
+        : " | " + ToMilliseconds(row.GetTime(0.25)) + " - " + ToMilliseconds(row.GetTime(0.75)));
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeExponent(double exponent)
+{
+  return std::isnan(exponent) ? "unknown" : ToFixed(exponent, 2);
+}
+
+//------------------------------------------------------------------------------
 void WriteRow(std::ostream& file, const Row& row)
 {
   file << "| " << (row.IsOnFront ? "**" + row.Method + "**" : row.Method) << " | "
-       << ToMilliseconds(row.GetMedian()) << " | " << ToMilliseconds(row.GetMinimum()) << " - "
-       << ToMilliseconds(row.GetMaximum()) << " | " << ToText(row.Fragments) << " | "
-       << ToMebibytes(row.Bytes) << " | ";
+       << DescribeTime(row) << " | " << ToText(row.Fragments) << " | " << ToMebibytes(row.Bytes)
+       << " | ";
   if (row.Error)
   {
     file << ToFixed(row.Error->RootMeanSquare, 2) << " | " << ToFixed(row.Error->Maximum, 0)
@@ -160,16 +204,16 @@ void WriteRow(std::ostream& file, const Row& row)
 //------------------------------------------------------------------------------
 void WriteSeries(std::ostream& file, const Series& series)
 {
-  file << "\n`" << series.Method << "` over " << series.Over << ": time grows with the power "
-       << ToFixed(series.TimeExponent, 2) << ", memory with " << ToFixed(series.MemoryExponent, 2)
-       << ".\n\n"
+  file << "\n`" << series.Method << "` over " << series.Over << ": exponent of time "
+       << DescribeExponent(series.TimeExponent) << ", of memory "
+       << DescribeExponent(series.MemoryExponent) << ".\n\n"
        << "| window | segments | fragments | longest list | ms | MiB |\n"
        << "| --- | --- | --- | --- | --- | --- |\n";
   for (const Row& row : series.Rows)
   {
     file << "| " << row.Width << "x" << row.Height << " | " << row.Segments << " | "
          << ToText(row.Fragments) << " | " << ToText(row.LongestList) << " | "
-         << ToMilliseconds(row.GetMedian()) << " | " << ToMebibytes(row.Bytes) << " |\n";
+         << ToMilliseconds(row.GetMedian()) << " | " << ToMebibytes(row.BufferBytes) << " |\n";
   }
 }
 
@@ -177,12 +221,16 @@ void WriteSeries(std::ostream& file, const Series& series)
 template <typename Write>
 void WriteFile(const std::string& fileName, Write write)
 {
-  std::ofstream file(fileName);
-  write(file);
-  if (!file.flush())
-  {
-    throw RenderError(fileName + ": cannot be written");
-  }
+  ReplaceFile(fileName,
+    [&write](const std::string& newName)
+    {
+      std::ofstream file(newName);
+      write(file);
+      if (!file.flush())
+      {
+        throw RenderError(newName + ": cannot be written");
+      }
+    });
 }
 }
 
@@ -192,7 +240,8 @@ void WriteJson(const Figures& figures, const std::string& fileName)
   const Machine& machine = figures.Where;
   Json document = {
     { "machine",
-      { { "renderer", machine.Renderer }, { "opengl", machine.OpenGL }, { "vtk", machine.VTK },
+      { { "date", machine.Date }, { "pellucid", machine.Pellucid },
+        { "renderer", machine.Renderer }, { "opengl", machine.OpenGL }, { "vtk", machine.VTK },
         { "processor", machine.Processor }, { "threads", machine.Threads } } },
     { "rows", ToJson(figures.Rows) },
   };
@@ -247,8 +296,9 @@ void WriteTables(const Figures& figures, const std::string& fileName)
 void PrintTables(const Figures& figures, std::ostream& stream)
 {
   const Machine& machine = figures.Where;
-  stream << machine.Renderer << ", VTK " << machine.VTK << ", " << machine.Processor << ", "
-         << machine.Threads << " threads. Bold: no other method is as fast with an error as "
+  stream << machine.Date << ", Pellucid " << machine.Pellucid << ", " << machine.Renderer
+         << ", VTK " << machine.VTK << ", " << machine.Processor << ", " << machine.Threads
+         << " threads. Bold: no other method is as fast with an error as "
          << "small.\n";
   const Row* previous = nullptr;
   for (const Row& row : figures.Rows)
@@ -258,7 +308,7 @@ void PrintTables(const Figures& figures, std::ostream& stream)
       stream << "\n"
              << row.Scene << ", " << row.Width << "x" << row.Height << ", opacity "
              << pellucid::ToText(row.Opacity) << ":\n\n"
-             << "| method | ms | min - max | fragments | MiB | RMSE | max | PSNR, dB | SSIM |\n"
+             << "| method | ms | quartiles | fragments | MiB | RMSE | max | PSNR, dB | SSIM |\n"
              << "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     }
     WriteRow(stream, row);

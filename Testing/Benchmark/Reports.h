@@ -22,6 +22,8 @@ namespace benchmark
 /** Where it was measured. */
 struct Machine
 {
+  std::string Date;     // of the start: ISO 8601, in UTC
+  std::string Pellucid; // version
   std::string Renderer;
   std::string OpenGL;
   std::string VTK;
@@ -37,7 +39,7 @@ struct Figures
 };
 
 ///@{
-/** Write a file; throw RenderError where that fails. */
+/** Write a file, or replace it as a whole; throw RenderError where that fails. */
 void WriteJson(const Figures& figures, const std::string& fileName);
 void WriteCsv(const Figures& figures, const std::string& fileName);
 void WriteTables(const Figures& figures, const std::string& fileName);

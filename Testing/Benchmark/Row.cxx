@@ -6,7 +6,6 @@
 #include "ParetoFront.h"
 #include "Statistics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,23 +21,9 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 }
 
 //------------------------------------------------------------------------------
-double Row::GetMedian() const
+double Row::GetTime(double fraction) const
 {
-  return FindMedian(this->Milliseconds);
-}
-
-//------------------------------------------------------------------------------
-double Row::GetMinimum() const
-{
-  const auto& times = this->Milliseconds;
-  return times.empty() ? NotANumber : *std::min_element(times.begin(), times.end());
-}
-
-//------------------------------------------------------------------------------
-double Row::GetMaximum() const
-{
-  const auto& times = this->Milliseconds;
-  return times.empty() ? NotANumber : *std::max_element(times.begin(), times.end());
+  return FindQuantile(this->Milliseconds, fraction);
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +43,7 @@ void MarkFronts(std::vector<Row>& rows)
     for (const Row* row : group)
     {
       const double error = row->Error ? row->Error->RootMeanSquare : NotANumber;
-      costs.push_back({ row->GetMedian(), std::round(100.0 * error) });
+      costs.push_back({ row->IsCold ? NotANumber : row->GetMedian(), std::round(100.0 * error) });
     }
     const std::vector<bool> isOnFront = FindParetoFront(costs);
     for (std::size_t i = 0; i < group.size(); ++i)

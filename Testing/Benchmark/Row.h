@@ -34,21 +34,25 @@ struct Row
   std::optional<vtkIdType> Fragments;
   std::optional<vtkIdType> LongestList;
   std::optional<vtkIdType> Bytes;
+  std::optional<vtkIdType> BufferBytes;
   std::vector<double> Milliseconds; // one for each frame
   std::vector<std::pair<std::string, double>> Stages;
   std::optional<PictureError> Error;
   bool IsOnFront = false;
+  bool IsInterleaved = false; // frames alternate with those of other methods
+  bool IsCold = false;        // the time is that of the first frame
+  std::string Skipped;        // what was not measured, and why
 
-  // Of the times; NaN where there are none.
-  double GetMedian() const;
-  double GetMinimum() const;
-  double GetMaximum() const;
+  /** The time, in milliseconds, that the fraction of all frames took less than; NaN where none was
+   * timed. 0 is the shortest one, 0.5 the median, 1 the longest one. */
+  double GetTime(double fraction) const;
+  double GetMedian() const { return this->GetTime(0.5); }
 };
 
 /**
  * Find the Pareto front of the methods for each scene, size and opacity. Errors (RMSE) that are the
  * same when rounded to 1/100 of a step count as the same; optimised opacities make another picture,
- * which is no choice.
+ * which is no choice, and the time of a cold frame is not comparable.
  */
 void MarkFronts(std::vector<Row>& rows);
 }

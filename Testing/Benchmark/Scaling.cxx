@@ -5,7 +5,9 @@
 
 #include "Statistics.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace pellucid
 {
@@ -28,59 +30,6 @@ constexpr int FewLines = 1000;
 constexpr std::array<int, 2> Window = { 320, 240 };
 
 //------------------------------------------------------------------------------
-void Append(std::vector<Series>& series, const std::vector<Row>& rows)
-{
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    series[i].Rows.push_back(rows[i]);
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<Series> Begin(const std::vector<Method>& methods, const std::string& over)
-{
-  std::vector<Series> series;
-  for (const Method& method : methods)
-  {
-    series.push_back({ method.Name, over, {} });
-  }
-  return series;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Series> MeasureFragments(const std::vector<Method>& methods,
-  MeasurementSettings settings, double limit, const std::function<void(const std::string&)>& tell)
-{
-  auto series = Begin(methods, "fragments");
-  Scene scene = MakeABCFlow("abc-" + std::to_string(ManyLines), ManyLines, SegmentsPerLine);
-  for (double wanted = FewestFragments; wanted <= 1.001 * limit; wanted *= Step)
-  {
-    const double height = std::sqrt(wanted / FragmentsPerPixel / Aspect);
-    settings.Size = { static_cast<int>(std::lround(Aspect * height)),
-      static_cast<int>(std::lround(height)) };
-    tell("scaling, " + std::to_string(settings.Size[0]) + "x" + std::to_string(settings.Size[1]));
-    Append(series, Measure(scene, methods, settings));
-  }
-  return series;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Series> MeasureSegments(const std::vector<Method>& methods,
-  MeasurementSettings settings, double limit, const std::function<void(const std::string&)>& tell)
-{
-  auto series = Begin(methods, "segments");
-  settings.Size = Window;
-  for (double perLine = 1.0; FewLines * perLine <= 1.001 * limit; perLine *= Step)
-  {
-    const int segments = static_cast<int>(std::lround(perLine));
-    tell("scaling, " + std::to_string(FewLines * segments) + " segments");
-    Scene scene = MakeABCFlow("abc-1000-of-" + std::to_string(segments), FewLines, segments);
-    Append(series, Measure(scene, methods, settings));
-  }
-  return series;
-}
-
-//------------------------------------------------------------------------------
 double GetSize(const Row& row, const std::string& over)
 {
   return static_cast<double>(over == "segments" ? row.Segments : row.Fragments.value_or(0));
@@ -95,29 +44,92 @@ void Fit(Series& series)
   for (const Row& row : series.Rows)
   {
     sizes.push_back(GetSize(row, series.Over));
-    times.push_back(row.GetMedian());
-    bytes.push_back(static_cast<double>(row.Bytes.value_or(0)));
+    times.push_back(row.IsCold ? 0.0 : row.GetMedian());
+    bytes.push_back(static_cast<double>(row.BufferBytes.value_or(0)));
   }
   series.TimeExponent = FitExponent(sizes, times);
   series.MemoryExponent = FitExponent(sizes, bytes);
 }
+
+//------------------------------------------------------------------------------
+// One series for each method, which grow by a row with each scene.
+class Measuring
+{
+public:
+  Measuring(const std::vector<Method>& methods, const MeasurementSettings& settings,
+    const ScalingProgress& progress)
+    : Methods(methods)
+    , Settings(settings)
+    , Progress(progress)
+  {
+    this->Settings.FindsErrors = false;
+    // Only a method that is alone has its buffers told apart.
+    this->Settings.InterleavedSegments = 0;
+  }
+
+  void MeasureFragments(double limit)
+  {
+    this->Begin("fragments");
+    Scene scene = MakeABCFlow("abc-" + std::to_string(ManyLines), ManyLines, SegmentsPerLine);
+    for (double wanted = FewestFragments; wanted <= 1.001 * limit; wanted *= Step)
+    {
+      const double height = std::sqrt(wanted / FragmentsPerPixel / Aspect);
+      this->Settings.Size = { static_cast<int>(std::lround(Aspect * height)),
+        static_cast<int>(std::lround(height)) };
+      this->Add(scene);
+    }
+  }
+
+  void MeasureSegments(double limit)
+  {
+    this->Begin("segments");
+    this->Settings.Size = Window;
+    for (double perLine = 1.0; FewLines * perLine <= 1.001 * limit; perLine *= Step)
+    {
+      const int segments = static_cast<int>(std::lround(perLine));
+      Scene scene = MakeABCFlow("abc-1000-of-" + std::to_string(segments), FewLines, segments);
+      this->Add(scene);
+    }
+  }
+
+private:
+  void Begin(const std::string& over)
+  {
+    for (const Method& method : this->Methods)
+    {
+      this->All.push_back({ method.Name, over, {} });
+    }
+  }
+
+  void Add(Scene& scene)
+  {
+    const auto& size = this->Settings.Size;
+    this->Progress.Tell("scaling, " + std::to_string(scene.GetNumberOfSegments()) + " segments, " +
+      std::to_string(size[0]) + "x" + std::to_string(size[1]));
+    const auto rows = Measure(scene, this->Methods, this->Settings);
+    auto series = this->All.end() - static_cast<std::ptrdiff_t>(rows.size());
+    for (const Row& row : rows)
+    {
+      series->Rows.push_back(row);
+      Fit(*series++);
+    }
+    this->Progress.Save(this->All);
+  }
+
+  const std::vector<Method>& Methods;
+  MeasurementSettings Settings;
+  const ScalingProgress& Progress;
+  std::vector<Series> All;
+};
 }
 
 //------------------------------------------------------------------------------
-std::vector<Series> MeasureScaling(const std::vector<Method>& methods,
-  const MeasurementSettings& settings, const ScalingLimits& limits,
-  const std::function<void(const std::string&)>& tell)
+void MeasureScaling(const std::vector<Method>& methods, const MeasurementSettings& settings,
+  const ScalingLimits& limits, const ScalingProgress& progress)
 {
-  MeasurementSettings untested = settings;
-  untested.FindsErrors = false;
-  auto all = MeasureFragments(methods, untested, limits.Fragments, tell);
-  const auto segments = MeasureSegments(methods, untested, limits.Segments, tell);
-  all.insert(all.end(), segments.begin(), segments.end());
-  for (Series& series : all)
-  {
-    Fit(series);
-  }
-  return all;
+  Measuring measuring(methods, settings, progress);
+  measuring.MeasureFragments(limits.Fragments);
+  measuring.MeasureSegments(limits.Segments);
 }
 }
 }

@@ -25,8 +25,9 @@ struct Series
   std::string Over;
   std::vector<Row> Rows;
 
-  /** Exponents b of the power laws a x^b that fit times and bytes best, in the sense of least
-   * squares of the logarithms; NaN where there are no two rows that tell. */
+  /** Exponents b of the power laws a x^b that fit the times of warm frames and the bytes of all
+   * buffers best, in the sense of least squares of the logarithms; NaN where there are no two rows
+   * that tell. */
   double TimeExponent = 0.0;
   double MemoryExponent = 0.0;
 };
@@ -37,15 +38,23 @@ struct ScalingLimits
   double Segments = 1e7;
 };
 
+struct ScalingProgress
+{
+  /** Called with the name of each step before it is measured. */
+  std::function<void(const std::string&)> Tell;
+
+  /** Called after each step with all that has been measured. */
+  std::function<void(const std::vector<Series>&)> Save;
+};
+
 /**
  * Two series for each method, with three sizes in each power of ten. Fragments, from about 1e5:
  * 5000 lines in windows of growing size, so that lists keep their lengths. Segments, from 1e3: 1000
  * lines at 320x240, in 1 to 10,000 segments each, so that the picture and its fragments stay as
- * they are. `tell` is called with the name of each step before it is drawn.
+ * they are. Each method has each scene alone.
  */
-std::vector<Series> MeasureScaling(const std::vector<Method>& methods,
-  const MeasurementSettings& settings, const ScalingLimits& limits,
-  const std::function<void(const std::string&)>& tell);
+void MeasureScaling(const std::vector<Method>& methods, const MeasurementSettings& settings,
+  const ScalingLimits& limits, const ScalingProgress& progress);
 }
 }
 

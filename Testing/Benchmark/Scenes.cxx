@@ -45,9 +45,19 @@ constexpr int SegmentsPerLine = 99;
 constexpr double LineRadius = 0.03;
 constexpr double PointRadius = 0.06;
 constexpr int TubeSides = 8;
-constexpr double LayerSide = 0.1; // half of it, for a stack of depth 1
+constexpr double TrianglesOfSegment = 2.0 * TubeSides;
+constexpr double TrianglesOfBall = 96.0; // of 8 x 8
+
+// Peaks of resident memory for 100,000 to 500,000 segments, rounded up.
+constexpr double BytesOfCone = 700.0;
+constexpr double BytesOfReferenceCone = 1000.0;
+constexpr double BytesOfTriangle = 75.0;
+constexpr double BytesOfReferenceTriangle = 300.0;
+
+constexpr double HalfSideOfLayers = 0.1; // for a stack of depth 1
 constexpr double LowestContour = 80.0;
 constexpr double HighestContour = 240.0;
+constexpr double LastHue = 2.0 / 3.0; // blue, beginning with red
 constexpr double Zoom = 1.6;
 constexpr double TwoPi = 2.0 * vtkMath::Pi();
 
@@ -169,7 +179,9 @@ Scene MakeSurfaces(const std::string& name, int size)
   colors->SetNumberOfComponents(3);
   for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
   {
-    InsertColor(colors, (values->GetTuple1(point) - LowestContour) / HighestContour);
+    const double height =
+      (values->GetTuple1(point) - LowestContour) / (HighestContour - LowestContour);
+    InsertColor(colors, LastHue * height);
   }
   data->GetPointData()->SetScalars(colors);
   return Scene(name, data, 0.0);
@@ -190,10 +202,10 @@ Scene MakeLayers(const std::string& name, int size)
   for (const int layer : order)
   {
     const double z = (layer + 0.5) / size - 0.5;
-    points->InsertNextPoint(-LayerSide, -LayerSide, z);
-    points->InsertNextPoint(LayerSide, -LayerSide, z);
-    points->InsertNextPoint(LayerSide, LayerSide, z);
-    points->InsertNextPoint(-LayerSide, LayerSide, z);
+    points->InsertNextPoint(-HalfSideOfLayers, -HalfSideOfLayers, z);
+    points->InsertNextPoint(HalfSideOfLayers, -HalfSideOfLayers, z);
+    points->InsertNextPoint(HalfSideOfLayers, HalfSideOfLayers, z);
+    points->InsertNextPoint(-HalfSideOfLayers, HalfSideOfLayers, z);
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
@@ -322,6 +334,21 @@ vtkIdType Scene::GetNumberOfSegments() const
 }
 
 //------------------------------------------------------------------------------
+double Scene::EstimateBytes(Geometry form, bool withReference) const
+{
+  const auto segments = static_cast<double>(this->GetNumberOfSegments());
+  if (form != Geometry::Triangles && !this->HasPolygons())
+  {
+    return segments * (withReference ? BytesOfReferenceCone : BytesOfCone);
+  }
+  const bool hasLines = this->Forms.at(Geometry::Trajectories)->GetNumberOfLines() > 0;
+  const double triangles = this->HasPolygons() ? 1.0
+    : hasLines                                 ? TrianglesOfSegment
+                                               : TrianglesOfBall;
+  return segments * triangles * (withReference ? BytesOfReferenceTriangle : BytesOfTriangle);
+}
+
+//------------------------------------------------------------------------------
 vtkPolyData* Scene::GetForm(Geometry form)
 {
   vtkPolyData* data = this->Forms.at(Geometry::Trajectories);
@@ -335,6 +362,18 @@ vtkPolyData* Scene::GetForm(Geometry form)
     result = form == Geometry::Segments ? Divide(data) : Triangulate(data, this->Radius);
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+void Scene::ReleaseOtherForms(Geometry form)
+{
+  for (auto& [other, data] : this->Forms)
+  {
+    if (other != form && other != Geometry::Trajectories)
+    {
+      data = nullptr;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

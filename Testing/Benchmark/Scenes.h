@@ -47,6 +47,13 @@ public:
   /** Number of segments of lines; of polygons, where these are all. */
   vtkIdType GetNumberOfSegments() const;
 
+  /** Memory to draw the form, or to draw it and the reference beside it: a rough estimate for large
+   * scenes, from what VTK 9.2 took with OpenGL on the processor. */
+  double EstimateBytes(Geometry form, bool withReference) const;
+
+  /** Forget the data of all forms but this one; what is wanted again is made again. */
+  void ReleaseOtherForms(Geometry form);
+
   /** Put an actor of that form and opacity into the renderer, with background and camera. The data
    * of a form is made once. */
   vtkActor* AddTo(vtkRenderer* renderer, Geometry form, double opacity);

@@ -14,6 +14,13 @@ namespace pellucid
 {
 namespace benchmark
 {
+/**
+ * The number that the fraction, in [0,1], of all numbers is below: linear between the two nearest
+ * (R. J. Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996, definition 7); NaN of
+ * none.
+ */
+double FindQuantile(std::vector<double> values, double fraction);
+
 /** The middle one, or the mean of the two in the middle; NaN of none. */
 double FindMedian(std::vector<double> values);
 

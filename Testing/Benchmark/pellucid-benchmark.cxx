@@ -18,11 +18,18 @@
 #include "Program.h"
 #include "RenderError.h"
 #include "Reports.h"
+#include "ResultFile.h"
 
 #include "vtkVersion.h"
 #include "vtksys/SystemInformation.hxx"
 
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <sstream>
 #include <thread>
 
 const char* const pellucid::ProgramName = "pellucid-benchmark";
@@ -33,13 +40,22 @@ using namespace pellucid;
 using namespace pellucid::benchmark;
 
 //------------------------------------------------------------------------------
+std::string GetDate()
+{
+  const std::time_t now = std::time(nullptr);
+  std::ostringstream text;
+  text << std::put_time(std::gmtime(&now), "%Y-%m-%dT%H:%M:%SZ");
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 Machine DescribeMachine()
 {
   PictureWindow window({ 1, 1 });
   window.CheckExactTransparency();
   vtksys::SystemInformation system;
   system.RunCPUCheck();
-  return { window.GetProperty("OpenGL renderer string"),
+  return { GetDate(), PELLUCID_VERSION, window.GetProperty("OpenGL renderer string"),
     window.GetProperty("OpenGL version string"), vtkVersion::GetVTKVersion(), system.GetModelName(),
     static_cast<int>(std::thread::hardware_concurrency()) };
 }
@@ -52,7 +68,7 @@ void CheckFiles(const BenchmarkOptions& options)
   {
     if (!file->empty())
     {
-      CheckWritable(*file);
+      CheckReplaceable(*file);
     }
   }
 }
@@ -64,10 +80,44 @@ void Tell(const std::string& step)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Row> MeasureScenes(const BenchmarkOptions& options,
-  const std::vector<SceneChoice>& scenes, const std::vector<Method>& methods)
+// What the plot has a place for.
+std::vector<Row> GetComparedRows(const Figures& figures)
 {
   std::vector<Row> rows;
+  std::copy_if(figures.Rows.begin(), figures.Rows.end(), std::back_inserter(rows),
+    [](const Row& row)
+    { return row.Error && !std::isnan(row.Error->RootMeanSquare) && !row.Milliseconds.empty(); });
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+// After each scene, so that a long run that is ended keeps what it has measured.
+void WriteFiles(const Figures& figures, const BenchmarkOptions& options)
+{
+  if (!options.JsonFile.empty())
+  {
+    WriteJson(figures, options.JsonFile);
+  }
+  if (!options.CsvFile.empty())
+  {
+    WriteCsv(figures, options.CsvFile);
+  }
+  if (!options.TableFile.empty())
+  {
+    WriteTables(figures, options.TableFile);
+  }
+  if (!options.PlotFile.empty())
+  {
+    ReplaceFile(options.PlotFile,
+      [&figures](const std::string& newName)
+      { WritePicture(DrawErrorTimePlot(GetComparedRows(figures)), newName); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeasureScenes(const BenchmarkOptions& options, const std::vector<SceneChoice>& scenes,
+  const std::vector<Method>& methods, Figures& figures)
+{
   for (const SceneChoice& choice : scenes)
   {
     Scene scene = choice.Make();
@@ -80,13 +130,19 @@ std::vector<Row> MeasureScenes(const BenchmarkOptions& options,
         MeasurementSettings settings = options.Settings;
         settings.Size = size;
         settings.Opacity = opacity;
-        const auto measured = Measure(scene, ChooseSuitable(methods, scene), settings);
-        rows.insert(rows.end(), measured.begin(), measured.end());
+        for (const Row& row : Measure(scene, ChooseSuitable(methods, scene), settings))
+        {
+          if (!row.Skipped.empty())
+          {
+            Tell("  " + row.Method + ": " + row.Skipped);
+          }
+          figures.Rows.push_back(row);
+        }
+        MarkFronts(figures.Rows);
+        WriteFiles(figures, options);
       }
     }
   }
-  MarkFronts(rows);
-  return rows;
 }
 
 //------------------------------------------------------------------------------
@@ -104,29 +160,18 @@ void Run(const BenchmarkOptions& options)
   figures.Where = DescribeMachine();
   if (options.MeasuresScaling)
   {
-    figures.Scaling = MeasureScaling(methods, options.Settings, options.Limits, Tell);
+    const auto save = [&figures, &options](const std::vector<Series>& measured)
+    {
+      figures.Scaling = measured;
+      WriteFiles(figures, options);
+    };
+    MeasureScaling(methods, options.Settings, options.Limits, { Tell, save });
   }
   else
   {
-    figures.Rows = MeasureScenes(options, scenes, methods);
+    MeasureScenes(options, scenes, methods, figures);
   }
-  if (!options.JsonFile.empty())
-  {
-    WriteJson(figures, options.JsonFile);
-  }
-  if (!options.CsvFile.empty())
-  {
-    WriteCsv(figures, options.CsvFile);
-  }
-  if (!options.PlotFile.empty())
-  {
-    WritePicture(DrawErrorTimePlot(figures.Rows), options.PlotFile);
-  }
-  if (!options.TableFile.empty())
-  {
-    WriteTables(figures, options.TableFile);
-  }
-  else
+  if (options.TableFile.empty())
   {
     PrintTables(figures, std::cout);
   }

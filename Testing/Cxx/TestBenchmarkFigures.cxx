@@ -15,6 +15,7 @@ namespace
 {
 using pellucid::benchmark::FindMedian;
 using pellucid::benchmark::FindParetoFront;
+using pellucid::benchmark::FindQuantile;
 using pellucid::benchmark::FitExponent;
 using pellucid::benchmark::MarkFronts;
 using pellucid::benchmark::PictureError;
@@ -54,10 +55,13 @@ Row MakeRow(const std::string& scene, double milliseconds, double error)
 void TestRows(Checks& checks)
 {
   std::vector<Row> rows = { MakeRow("a", 1.0, 5.0), MakeRow("b", 2.0, 6.0), MakeRow("a", 2.0, 6.0),
-    MakeRow("a", 3.0, 0.2889), MakeRow("a", 4.0, 0.2887), MakeRow("a", 0.5, 0.0) };
+    MakeRow("a", 3.0, 0.2889), MakeRow("a", 4.0, 0.2887), MakeRow("a", 0.5, 0.0),
+    MakeRow("a", 0.5, 0.0), Row() };
   rows[5].HasOptimizedOpacities = true;
+  rows[6].IsCold = true;
+  rows[7].Scene = "a";
   MarkFronts(rows);
-  const Flags expected = { true, true, false, true, false, false };
+  const Flags expected = { true, true, false, true, false, false, false, false };
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     checks.True("row " + std::to_string(i), rows[i].IsOnFront == expected[i]);
@@ -71,8 +75,19 @@ void TestMedian(Checks& checks)
   checks.True("median of nothing", std::isnan(FindMedian({})));
   const Row empty;
   checks.True("no frame",
-    std::isnan(empty.GetMedian()) && std::isnan(empty.GetMinimum()) &&
-      std::isnan(empty.GetMaximum()));
+    std::isnan(empty.GetMedian()) && std::isnan(empty.GetTime(0.0)) &&
+      std::isnan(empty.GetTime(1.0)));
+}
+
+void TestQuantiles(Checks& checks)
+{
+  const std::vector<double> numbers = { 4.0, 1.0, 16.0, 9.0, 25.0 };
+  checks.Near("the least", FindQuantile(numbers, 0.0), 1.0, 0.0);
+  checks.Near("a quartile", FindQuantile(numbers, 0.25), 4.0, 0.0);
+  checks.Near("between two", FindQuantile(numbers, 0.9), 16.0 + 0.6 * 9.0, 1e-12);
+  checks.Near("the largest", FindQuantile(numbers, 1.0), 25.0, 0.0);
+  checks.Near("of one", FindQuantile({ 7.0 }, 0.25), 7.0, 0.0);
+  checks.True("of none", std::isnan(FindQuantile({}, 0.25)));
 }
 
 void TestExponent(Checks& checks)
@@ -93,6 +108,7 @@ int TestBenchmarkFigures(int, char*[])
   TestFront(checks);
   TestRows(checks);
   TestMedian(checks);
+  TestQuantiles(checks);
   TestExponent(checks);
   return checks.Result();
 }

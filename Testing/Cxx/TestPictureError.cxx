@@ -9,9 +9,11 @@
 
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 namespace
 {
+using pellucid::benchmark::Differences;
 using pellucid::benchmark::ExpectedPicture;
 using pellucid::benchmark::FindPictureError;
 using pellucid::benchmark::PictureError;
@@ -46,9 +48,32 @@ vtkSmartPointer<vtkImageData> MakeShown(const Value& value, int width = Width)
   return MakePicture(VTK_UNSIGNED_CHAR, 1.0, value, width);
 }
 
-vtkSmartPointer<vtkImageData> MakeExpected(const Value& value, int width = Width)
+using Count = std::function<int(int x, int y)>;
+
+vtkSmartPointer<vtkImageData> MakeCounts(const Count& count, int width = Width)
 {
-  return MakePicture(VTK_DOUBLE, 1.0 / 255.0, value, width);
+  auto counts = vtkSmartPointer<vtkImageData>::New();
+  counts->SetDimensions(width, Height, 1);
+  counts->AllocateScalars(VTK_INT, 1);
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      counts->SetScalarComponentFromDouble(x, y, 0, 0, count(x, y));
+    }
+  }
+  return counts;
+}
+
+int One(int, int)
+{
+  return 1;
+}
+
+ExpectedPicture MakeExpected(const Value& value, int width = Width, const Count& count = One)
+{
+  return ExpectedPicture(
+    MakePicture(VTK_DOUBLE, 1.0 / 255.0, value, width), MakeCounts(count, width));
 }
 
 double Pattern(int x, int y)
@@ -58,7 +83,7 @@ double Pattern(int x, int y)
 
 void TestEqual(Checks& checks)
 {
-  const ExpectedPicture expected(MakeExpected(Pattern));
+  const ExpectedPicture expected = MakeExpected(Pattern);
   const PictureError error = FindPictureError(MakeShown(Pattern), expected);
   checks.Near("equal, RMSE", error.RootMeanSquare, 0.0, 1e-12);
   checks.Near("equal, maximum", error.Maximum, 0.0, 0.0);
@@ -67,7 +92,7 @@ void TestEqual(Checks& checks)
   checks.True("equal, no edges", error.EdgePixels == 0);
   const Value black = [](int, int) { return 0.0; };
   checks.True("black, PSNR",
-    FindPictureError(MakeShown(black), ExpectedPicture(MakeExpected(black))).PeakSignalToNoise ==
+    FindPictureError(MakeShown(black), MakeExpected(black)).PeakSignalToNoise ==
       std::numeric_limits<double>::infinity());
 }
 
@@ -76,8 +101,8 @@ void TestShift(Checks& checks)
 {
   const double dark = 100.0;
   const double bright = 110.0;
-  const PictureError error = FindPictureError(MakeShown([=](int, int) { return bright; }),
-    ExpectedPicture(MakeExpected([=](int, int) { return dark; })));
+  const PictureError error = FindPictureError(
+    MakeShown([=](int, int) { return bright; }), MakeExpected([=](int, int) { return dark; }));
   checks.Near("shift, RMSE", error.RootMeanSquare, 10.0, 1e-9);
   checks.Near("shift, maximum", error.Maximum, 10.0, 1e-9);
   checks.Near("shift, PSNR", error.PeakSignalToNoise, 20.0 * std::log10(25.5), 1e-9);
@@ -92,7 +117,7 @@ void TestHalf(Checks& checks)
   const auto isWrong = [](int x) { return x < Width / 2; };
   const PictureError error =
     FindPictureError(MakeShown([&](int x, int) { return isWrong(x) ? 56.0 : 50.0; }),
-      ExpectedPicture(MakeExpected([&](int x, int) { return isWrong(x) ? 50.0 : 50.25; })));
+      MakeExpected([&](int x, int) { return isWrong(x) ? 50.0 : 50.25; }));
   checks.Near("half, RMSE", error.RootMeanSquare, std::sqrt(0.5 * (36.0 + 0.0625)), 1e-9);
   checks.Near("half, maximum", error.Maximum, 6.0, 1e-9);
 }
@@ -101,26 +126,97 @@ void TestHalf(Checks& checks)
 void TestNegative(Checks& checks)
 {
   const Value negative = [](int x, int y) { return 199.0 - Pattern(x, y); };
-  const PictureError error =
-    FindPictureError(MakeShown(negative), ExpectedPicture(MakeExpected(Pattern)));
+  const PictureError error = FindPictureError(MakeShown(negative), MakeExpected(Pattern));
   checks.True("negative, SSIM", error.StructuralSimilarity < -0.8);
 }
 
-// One column lies on an edge: both sides are right, and it is wrong altogether.
+void CheckDifferences(
+  Checks& checks, const std::string& what, const Differences& found, double rmse, double maximum)
+{
+  checks.Near(what + ", RMSE", found.RootMeanSquare, rmse, 1e-9);
+  checks.Near(what + ", maximum", found.Maximum, maximum, 1e-9);
+}
+
+// Columns of a surface, the last of which has an edge, and the second one, where two surfaces
+// intersect, are wrong altogether; the background is right. A little displacement changes colours a
+// little everywhere.
 void TestEdges(Checks& checks)
 {
-  const Value left = [](int x, int) { return x < 7 ? 200.0 : 20.0; };
-  const Value right = [](int x, int) { return x < 8 ? 200.0 : 20.0; };
-  ExpectedPicture expected(MakeExpected(left));
-  expected.AddDisplaced(MakeExpected(right));
-  expected.AddDisplaced(MakeExpected([&](int x, int y) { return left(x, y) + 0.9; }));
-  const PictureError error = FindPictureError(
-    MakeShown([](int x, int) { return x < 7 ? 203.0
-                                 : x < 8    ? 0.0
-                                            : 20.0; }), expected);
-  checks.True("edges", error.EdgePixels == Height);
-  checks.Near("edges, RMSE", error.RootMeanSquare, std::sqrt(9.0 * 7.0 / (Width - 1)), 1e-9);
-  checks.Near("edges, maximum", error.Maximum, 3.0, 1e-9);
+  const int covered = 8;
+  const auto count = [](int x, int) { return x < covered ? 2 : 0; };
+  const Value value = [](int x, int) { return x < covered ? 200.0 : 20.0; };
+  ExpectedPicture expected = MakeExpected(value, Width, count);
+  const auto shift = [&value](double change)
+  {
+    return MakePicture(VTK_DOUBLE, 1.0 / 255.0, [=](int x, int y) { return value(x, y) + change; });
+  };
+  expected.AddDisplaced(
+    shift(1.9), MakeCounts([&](int x, int) { return x < covered - 1 ? 2 : 0; }));
+  expected.AddDisplaced(MakePicture(VTK_DOUBLE, 1.0 / 255.0,
+                          [&](int x, int y) { return value(x, y) - (x == 1 ? 2.1 : 0.0); }),
+    MakeCounts(count));
+  expected.AddDisplaced(shift(-1.9), MakeCounts(count));
+  const auto isWrong = [](int x) { return x == 1 || x == covered - 1; };
+  const PictureError error =
+    FindPictureError(MakeShown([&](int x, int y)
+                       { return isWrong(x) ? 0.0 : value(x, y) + (x < covered ? 3.0 : 0.0); }),
+      expected);
+  checks.True("edges", error.EdgePixels == 2 * Height);
+  checks.True("covered", error.CoveredPixels == covered * Height);
+  CheckDifferences(checks, "no edges", error, std::sqrt(9.0 * 6.0 / (Width - 2)), 3.0);
+  CheckDifferences(checks, "covered", error.Covered, 3.0, 3.0);
+  CheckDifferences(
+    checks, "all", error.All, std::sqrt((9.0 * 6.0 + 2.0 * 200.0 * 200.0) / Width), 200.0);
+}
+
+void TestOnlyEdges(Checks& checks)
+{
+  ExpectedPicture expected = MakeExpected(Pattern);
+  expected.AddDisplaced(expected.GetPicture(), MakeCounts([](int, int) { return 2; }));
+  const PictureError error = FindPictureError(MakeShown(Pattern), expected);
+  checks.True("only edges", error.EdgePixels == Width * Height);
+  checks.True("only edges, no error",
+    std::isnan(error.RootMeanSquare) && std::isnan(error.Maximum) &&
+      std::isnan(error.PeakSignalToNoise) && std::isnan(error.Covered.RootMeanSquare));
+  CheckDifferences(checks, "only edges, all", error.All, 0.0, 0.0);
+}
+
+void TestNothingCovered(Checks& checks)
+{
+  const PictureError error =
+    FindPictureError(MakeShown(Pattern), MakeExpected(Pattern, Width, [](int, int) { return 0; }));
+  checks.True("nothing covered", error.CoveredPixels == 0);
+  checks.True("nothing covered, no error", std::isnan(error.Covered.RootMeanSquare));
+  CheckDifferences(checks, "nothing covered, all", error, 0.0, 0.0);
+}
+
+void CheckRefusal(Checks& checks, const std::string& what, const std::function<void()>& act)
+{
+  try
+  {
+    act();
+    checks.True(what + " is refused", false);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    checks.True(what + ", message",
+      std::string(error.what()) ==
+        "a picture of 40x30 pixels was expected to compare with, found are 39x30");
+  }
+}
+
+void TestSizes(Checks& checks)
+{
+  ExpectedPicture expected = MakeExpected(Pattern);
+  const int other = Width - 1;
+  CheckRefusal(
+    checks, "another picture", [&] { FindPictureError(MakeShown(Pattern, other), expected); });
+  CheckRefusal(checks, "another displaced one",
+    [&] { expected.AddDisplaced(expected.GetPicture(), MakeCounts(One, other)); });
+  CheckRefusal(checks, "another displaced picture",
+    [&] { expected.AddDisplaced(MakeExpected(Pattern, other).GetPicture(), MakeCounts(One)); });
+  CheckRefusal(checks, "another number of counts",
+    [&] { ExpectedPicture(expected.GetPicture(), MakeCounts(One, other)); });
 }
 
 // The similarity needs windows of 11 pixels.
@@ -143,6 +239,9 @@ int TestPictureError(int, char*[])
   TestHalf(checks);
   TestNegative(checks);
   TestEdges(checks);
+  TestOnlyEdges(checks);
+  TestNothingCovered(checks);
+  TestSizes(checks);
   TestNarrow(checks);
   return checks.Result();
 }

@@ -4,6 +4,7 @@
 """pellucid-benchmark: what its files hold, and every refusal."""
 
 import csv
+import datetime
 import json
 import math
 import os
@@ -16,8 +17,10 @@ from pictures import read_png
 
 PROGRAM = os.environ["PELLUCID_BENCHMARK"]
 KEYS = ["scene", "method", "family", "width", "height", "alpha", "segments", "optimized", "fragments",
-        "longest_list", "frames", "median_ms", "min_ms", "max_ms", "stages", "bytes", "rmse",
-        "max_error", "psnr", "ssim", "edge_pixels", "on_front"]
+        "longest_list", "frames", "cold", "interleaved", "median_ms", "min_ms", "lower_quartile_ms",
+        "upper_quartile_ms", "max_ms", "stages", "bytes", "buffer_bytes", "rmse", "max_error", "psnr",
+        "ssim", "rmse_covered", "rmse_all_pixels", "max_error_all_pixels", "covered_pixels",
+        "edge_pixels", "skipped", "on_front"]
 METHODS = ["vtk-unsorted", "vtk-weighted-blended", "vtk-dual-peeling-1", "vtk-dual-peeling-exact",
            "pellucid", "pellucid-tubes", "pellucid-optimized"]
 
@@ -62,7 +65,11 @@ class TestFiles(BenchmarkTest):
                                "--table", files[1], "--plot", files[2])
         self.assertEqual(list(figures), ["machine", "rows"])
         self.assertEqual(list(figures["machine"]),
-                         ["renderer", "opengl", "vtk", "processor", "threads"])
+                         ["date", "pellucid", "renderer", "opengl", "vtk", "processor", "threads"])
+        date = datetime.datetime.strptime(figures["machine"]["date"], "%Y-%m-%dT%H:%M:%S%z")
+        age = datetime.datetime.now(datetime.timezone.utc) - date
+        self.assertLess(abs(age), datetime.timedelta(minutes=5))
+        self.assertRegex(figures["machine"]["pellucid"], r"^\d+\.\d+\.\d+$")
         rows = {row["method"]: row for row in figures["rows"]}
         self.assertEqual(len(rows), len(figures["rows"]))
         self.assertLessEqual(set(METHODS), set(rows))
@@ -76,7 +83,7 @@ class TestFiles(BenchmarkTest):
         for row in figures["rows"]:
             if row["method"].startswith("pellucid"):
                 self.assertLessEqual(row["max_error"], 1, row)
-                self.assertLessEqual(row["rmse"], 0.30, row)
+                self.assertLessEqual(row["rmse_covered"], 0.30, row)
             elif row["method"].startswith("vtk"):
                 self.assertIsNone(row["bytes"])
                 self.assertEqual(row["stages"], {})
@@ -104,17 +111,24 @@ class TestFiles(BenchmarkTest):
         self.assertEqual((row["alpha"], row["segments"], row["frames"]), (0.3, 50 * 99, 2))
         self.assertGreater(row["fragments"], 1000)
         self.assertGreater(row["longest_list"], 1)
-        self.assertTrue(0 < row["min_ms"] <= row["median_ms"] <= row["max_ms"])
+        times = [row[key + "_ms"] for key in ("min", "lower_quartile", "median", "upper_quartile", "max")]
+        self.assertGreater(times[0], 0)
+        self.assertEqual(times, sorted(times))
+        self.assertEqual((row["cold"], row["interleaved"], row["skipped"]), (False, True, None))
+        self.assertIsNone(row["buffer_bytes"])
         self.assertAlmostEqual(row["psnr"], 20 * math.log10(255 / row["rmse"]), 9)
         self.assertTrue(0.5 < row["ssim"] <= 1)
-        self.assertTrue(0 <= row["edge_pixels"] < 200 * 150)
+        self.assertTrue(0 < row["covered_pixels"] < 200 * 150)
+        self.assertLess(row["edge_pixels"], 0.2 * row["covered_pixels"])
+        self.assertLess(row["rmse"], row["rmse_covered"])
+        self.assertGreaterEqual(row["max_error_all_pixels"], row["max_error"])
 
     def test_choices(self):
         """Several sizes and opacities, by patterns, without errors; what suits no surface is left out."""
         figures = self.measure(
             "--quick", "--scene", "layers-8", "--method", "vtk-un*", "--method", "pellucid*",
-            "--size", "40x30", "--size", "20x50", "--alpha", "0.5", "--alpha", "0.1", "--frames", "1",
-            "--no-errors")
+            "--size", "40x30", "--size", "20x50", "--size", "40x30", "--alpha", "0.5", "--alpha", "0.1",
+            "--alpha", "0.50", "--frames", "1", "--no-errors")
         self.assertEqual(
             [(row["method"], row["width"], row["alpha"]) for row in figures["rows"]],
             [(method, width, alpha) for width in (40, 20) for alpha in (0.5, 0.1)
@@ -124,23 +138,105 @@ class TestFiles(BenchmarkTest):
             self.assertFalse(row["on_front"])
         self.assertEqual(figures["rows"][1]["longest_list"], 8)
 
+    def test_one_by_one(self):
+        """Too many segments for turns: each method alone, with its buffers."""
+        figures = self.measure("--quick", "--scene", "abc-20", "--interleave", "1979", "--frames", "1",
+                               "--method", "vtk-unsorted", "--method", "pellucid*")
+        for row in figures["rows"]:
+            self.assertFalse(row["interleaved"])
+            self.assertGreater(row["buffer_bytes"], 24 * row["segments"])
+            self.assertIsNotNone(row["rmse"])
+        figures = self.measure("--quick", "--scene", "abc-20", "--interleave", "1980", "--frames", "1",
+                               "--method", "vtk-unsorted", "--method", "pellucid*")
+        self.assertTrue(all(row["interleaved"] for row in figures["rows"]))
+
+    def test_memory(self):
+        """Methods that need more than is allowed are skipped, or not compared."""
+        table = self.folder / "memory.md"
+        figures = self.measure("--quick", "--scene", "abc-50", "--frames", "1", "--memory", "0.007",
+                               "--method", "vtk-unsorted", "--method", "pellucid", "--table", table)
+        triangles, cones = figures["rows"]
+        self.assertGreater(triangles["median_ms"], 0)
+        self.assertGreater(triangles["fragments"], 1000)
+        self.assertIsNone(triangles["rmse"])
+        self.assertEqual(triangles["skipped"],
+                         "the reference would need about 23.8 MB of memory; --memory allows 7 MB")
+        self.assertIsNone(cones["skipped"])
+        self.assertLessEqual(cones["max_error"], 1)
+
+        rows = self.folder / "memory.csv"
+        figures = self.measure("--quick", "--scene", "abc-50", "--frames", "1", "--memory", "0.0055",
+                               "--method", "vtk-unsorted", "--method", "pellucid", "--table", table,
+                               "--csv", rows, "--plot", self.folder / "memory.png")
+        triangles, cones = figures["rows"]
+        self.assertEqual((triangles["frames"], triangles["median_ms"], triangles["rmse"]), (0, None, None))
+        self.assertEqual(triangles["skipped"],
+                         "the method would need about 6 MB of memory; --memory allows 5.5 MB")
+        self.assertIsNotNone(cones["rmse"])
+        self.assertIn("| vtk-unsorted | skipped |", table.read_text())
+        with open(rows, newline="", encoding="utf-8") as file:
+            self.assertEqual(next(csv.DictReader(file))["skipped"], triangles["skipped"])
+
+    def test_cold(self):
+        """A first frame that spends four budgets is all there is, and no method to recommend."""
+        figures = self.measure("--quick", "--scene", "abc-20", "--budget", "0", "--method", "pellucid")
+        row, = figures["rows"]
+        self.assertEqual((row["frames"], row["cold"], row["on_front"]), (1, True, False))
+        self.assertGreater(row["median_ms"], 0)
+
+    def test_end(self):
+        """What is measured when the program is ended is in the file."""
+        file = self.folder / "ended.json"
+        arguments = ["--quick", "--frames", "1", "--method", "pellucid", "--scene", "abc-20",
+                     "--scene", "layers-64", "--json", file]
+        with subprocess.Popen([PROGRAM, *map(str, arguments)], stderr=subprocess.PIPE,
+                              stdout=subprocess.DEVNULL, encoding="utf-8") as process:
+            for line in process.stderr:
+                if line.startswith("layers-64"):
+                    process.kill()
+        self.assertEqual([row["scene"] for row in json.loads(file.read_text())["rows"]][:1], ["abc-20"])
+
     def test_scaling(self):
+        table = self.folder / "scaling.md"
         figures = self.measure("--scaling", "--frames", "1", "--largest-fragments", "1e5",
-                               "--largest-segments", "5e3")
+                               "--largest-segments", "1e4", "--method", "pellucid", "--method",
+                               "vtk-unsorted", "--table", table)
         self.assertEqual(figures["rows"], [])
-        fragments, segments = figures["scaling"]
-        self.assertEqual((fragments["method"], fragments["over"]), ("pellucid", "fragments"))
-        self.assertEqual((segments["method"], segments["over"]), ("pellucid", "segments"))
-        self.assertEqual([row["segments"] for row in segments["rows"]], [1000, 2000, 5000])
+        series = {(line["method"], line["over"]): line for line in figures["scaling"]}
+        self.assertEqual(list(series), [(method, over) for over in ("fragments", "segments")
+                                        for method in ("vtk-unsorted", "pellucid")])
+        for line in series.values():
+            for row in line["rows"]:
+                self.assertGreater(row["fragments"], 10000)
+                self.assertGreater(row["longest_list"], 5)
+                self.assertFalse(row["interleaved"])
+        fragments = series["pellucid", "fragments"]
         self.assertAlmostEqual(fragments["rows"][0]["fragments"] / 1e5, 1, delta=0.3)
         self.assertIsNone(fragments["time_exponent"])  # of one size
-        self.assertAlmostEqual(segments["memory_exponent"], 0, delta=0.1)
+        self.assertIn("exponent of time unknown, of memory unknown", table.read_text())
+
+        # Place, colour and the indices of six corners; 8 points of a tube and 16 triangles.
+        for method, bytes_of_segment in (("pellucid", 16 + 4 + 24), ("vtk-unsorted", 400)):
+            with self.subTest(method):
+                line = series[method, "segments"]
+                few, *_, many = line["rows"]
+                self.assertEqual((few["segments"], many["segments"]), (1000, 10000))
+                geometry = [row["buffer_bytes"] - (row["bytes"] or 0) for row in (few, many)]
+                grown = geometry[1] - geometry[0]
+                self.assertAlmostEqual(grown / 9000 / bytes_of_segment, 1, delta=0.2)
+                exponent = math.log10(many["buffer_bytes"] / few["buffer_bytes"])
+                self.assertGreater(line["memory_exponent"], 0)
+                self.assertAlmostEqual(line["memory_exponent"], exponent, delta=0.15)
 
     def test_list(self):
         result = self.run_program("--list", environment={"DISPLAY": ""})
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in ("abc-1000 ", "combustor ", "layers-64 ", *METHODS):
             self.assertIn(name, result.stdout)
+        for line in result.stdout.splitlines():
+            if line.startswith("  "):
+                self.assertRegex(line, r"^  \S+ +\S")
+                self.assertLess(line.rindex("  ", 0, 36), 34)
 
 
 class TestRefusals(BenchmarkTest):
@@ -156,6 +252,11 @@ class TestRefusals(BenchmarkTest):
             ("--frames: expected a whole number", "--frames", "0"),
             ("--budget: expected a number of at least 0", "--budget", "-1"),
             ("--plot: expected a file name ending in .png, found 'plot.pdf'", "--plot", "plot.pdf"),
+            ("--plot: expected errors of scenes to draw, found '--scaling'", "--plot", "a.png", "--scaling"),
+            ("--plot: expected errors of scenes to draw, found '--no-errors'", "--plot", "a.png",
+             "--no-errors"),
+            ("--memory: expected a number of at least 0", "--memory", "-1"),
+            ("--interleave: expected a whole number", "--interleave", "few"),
             ("--largest-fragments: expected", "--scaling", "--largest-fragments", "10"),
             ("--largest-segments: expected", "--scaling", "--largest-segments", "1e12"),
             ("--colour", "--colour", "red"),
@@ -166,6 +267,12 @@ class TestRefusals(BenchmarkTest):
     def test_surroundings(self):
         absent = self.folder / "absent" / "figures.json"
         self.refuse(1, "figures.json: cannot be written", "--quick", "--json", absent)
+        folder = self.folder / "folder"
+        folder.mkdir()
+        link = self.folder / "link.json"
+        link.symlink_to(absent)
+        for other in (folder, link, "/dev/null"):
+            self.refuse(1, "expected a new file, or one to replace", "--quick", "--json", other)
         result = self.run_program("--scene", "combustor", "--data", self.folder)
         self.assertEqual(result.returncode, 1)
         self.assertIn("combustor-lines.vtk: no lines could be read", result.stderr)

@@ -108,7 +108,7 @@ public:
     std::iota(this->Order.begin(), this->Order.end(), 0);
     if (order == BuildOrder::Shuffled)
     {
-      std::shuffle(this->Order.begin(), this->Order.end(), std::mt19937(prop.Seed));
+      this->Shuffle();
     }
     this->Points->SetDataTypeToDouble();
   }
@@ -155,6 +155,17 @@ public:
   }
 
 private:
+  /// By Fisher and Yates.
+  void Shuffle()
+  {
+    Numbers numbers(this->Prop.Seed, 0);
+    for (std::size_t left = this->Order.size(); left > 1; --left)
+    {
+      const auto chosen = static_cast<std::size_t>(numbers.Get(0.0, static_cast<double>(left)));
+      std::swap(this->Order[left - 1], this->Order[chosen]);
+    }
+  }
+
   void Add(const std::vector<vtkVector3d>& points)
   {
     this->Cells->InsertNextCell(static_cast<int>(points.size()));
