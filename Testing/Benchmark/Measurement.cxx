@@ -123,6 +123,8 @@ public:
     this->Result.Scene = scene.GetName();
     this->Result.Method = method.Name;
     this->Result.Family = method.Family;
+    this->Result.Parameter = method.Parameter;
+    this->Result.Shape = method.GetShape(scene);
     this->Result.Width = settings.Size[0];
     this->Result.Height = settings.Size[1];
     this->Result.Opacity = settings.Opacity;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pellucid
 {
@@ -19,12 +20,21 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 //------------------------------------------------------------------------------
 double FindMedian(std::vector<double> values)
 {
+  return FindQuantile(std::move(values), 0.5);
+}
+
+//------------------------------------------------------------------------------
+double FindQuantile(std::vector<double> values, double p)
+{
   if (values.empty())
   {
     return NotANumber;
   }
   std::sort(values.begin(), values.end());
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+  const double place = p * (values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - below) * (values[above] - values[below]);
 }
 
 //------------------------------------------------------------------------------

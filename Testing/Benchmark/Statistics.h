@@ -17,6 +17,9 @@ namespace benchmark
 /** The middle one, or the mean of the two in the middle; NaN of none. */
 double FindMedian(std::vector<double> values);
 
+/** What the part p in [0,1] of the numbers is not above, linear between neighbours; NaN of none. */
+double FindQuantile(std::vector<double> values, double p);
+
 /**
  * The b of the power law y = a x^b that fits best, in the sense of least squares of the logarithms.
  * Pairs with a number that is not positive do not count. NaN where fewer than two different x are
