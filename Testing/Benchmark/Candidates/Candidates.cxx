@@ -63,8 +63,7 @@ void AddLists(std::vector<Candidate>& candidates)
       Make<Lists>([kind](Lists* pass) { pass->SetSort(kind); }) });
     candidates.push_back({ std::string("count-and-fill-") + sort.Name, "count-and-fill",
       std::nullopt, std::string("arrays filled in a second draw, ") + sort.Description,
-      std::string("draws the geometry twice, to save a link for each fragment; ") + sort.Reason,
-      true,
+      "draws the geometry twice, to save a link for each fragment", true,
       Make<Lists>(
         [kind](Lists* pass)
         {
@@ -111,7 +110,7 @@ void AddThresholds(std::vector<Candidate>& candidates)
       candidates.push_back({ family + "-" + threshold.Name, family, value,
         std::string("linked lists, ") + sort.Description + ", stops at a transmittance of " +
           threshold.Name,
-        std::string("what it leaves out can be seen; ") + sort.Reason, false,
+        std::string("what it leaves out can be seen, and ") + sort.Reason, false,
         Make<Lists>(
           [kind, value](Lists* pass)
           {
