@@ -4,6 +4,7 @@
 #include "ErrorTimePlot.h"
 
 #include "Methods.h"
+#include "ParetoFront.h"
 #include "PictureWindow.h"
 #include "PlainText.h"
 #include "PointLabels.h"
@@ -240,6 +241,19 @@ void AddFamilies(
 }
 
 //------------------------------------------------------------------------------
+// Of those on a front that are as good, the fastest; and the product.
+bool IsNamed(const Row& row, const std::vector<const Row*>& rows)
+{
+  const auto replaces = [&row](const Row* other)
+  {
+    return other->IsOnFront && other->Shape == row.Shape && other->GetMedian() < row.GetMedian() &&
+      std::abs(other->Error->RootMeanSquare - row.Error->RootMeanSquare) <= ErrorTolerance;
+  };
+  return row.Family == ProductName ||
+    (row.IsOnFront && std::none_of(rows.begin(), rows.end(), replaces));
+}
+
+//------------------------------------------------------------------------------
 void FillPanel(
   vtkChartXY* chart, const std::vector<const Row*>& rows, const std::vector<std::string>& families)
 {
@@ -249,7 +263,7 @@ void FillPanel(
   for (const Row* row : rows)
   {
     all.push_back(GetPoint(*row));
-    labels->AddPoint(all.back(), row->IsOnFront || row->Family == ProductName ? row->Method : "");
+    labels->AddPoint(all.back(), IsNamed(*row, rows) ? row->Method : "");
   }
   AddFronts(chart, rows);
   AddFamilies(chart, rows, families);

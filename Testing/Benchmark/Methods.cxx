@@ -24,9 +24,6 @@ namespace benchmark
 {
 namespace
 {
-// No limit to the number of peels; a plot has to place it.
-constexpr int ManyPeels = VTK_INT_MAX;
-
 //------------------------------------------------------------------------------
 // The renderer draws with the pass that `make` returns.
 template <typename MakePass>
@@ -105,7 +102,7 @@ std::vector<Method> MakeMethods()
       peels));
   }
   methods.push_back(
-    MakeDualPeeling("exact", "VTK, dual depth peeling until nothing is left", ManyPeels));
+    MakeDualPeeling("exact", "VTK, dual depth peeling until nothing is left", VTK_INT_MAX));
   methods.push_back({ ProductName, ProductName,
     "Pellucid as it is, lines as ray-cast rounded cones", Geometry::Trajectories, Install });
   methods.push_back({ "pellucid-tubes", ProductName, "Pellucid, with the triangles that VTK draws",

@@ -26,6 +26,7 @@ namespace
 constexpr int FontSize = 13;
 constexpr float PointRadius = 7.0f; // pixels that are kept free round a point
 constexpr float Gap = 9.0f;         // pixels between a point and its name
+constexpr float Padding = 5.0f;     // pixels between names
 constexpr float Step = 6.0f;        // pixels by which names move away
 constexpr int Steps = 40;
 constexpr int Directions = 16;
@@ -59,7 +60,7 @@ std::vector<vtkRectf> ListPlaces(const vtkVector2f& point, const vtkVector2f& si
       const double x = std::cos(angle);
       const double y = std::sin(angle);
       const double distance = Gap + Step * step;
-      // The nearest point of the rectangle is at that distance.
+      // Beside, above and below the point the rectangle begins at that distance.
       places.emplace_back(
         static_cast<float>(point.GetX() + distance * x + 0.5 * (x - 1.0) * size.GetX()),
         static_cast<float>(point.GetY() + distance * y + 0.5 * (y - 1.0) * size.GetY()),
@@ -159,7 +160,8 @@ bool PointLabels::Paint(vtkContext2D* painter)
     painter->ComputeStringBounds(point.Text.c_str(), bounds);
     const vtkVector2f pixel = this->ToPixels(point.Values);
     const vtkRectf place = this->FindPlace(pixel, vtkVector2f(bounds[2], bounds[3]));
-    this->Taken.push_back(place);
+    this->Taken.emplace_back(place.GetLeft() - Padding, place.GetBottom(),
+      place.GetWidth() + 2.0f * Padding, place.GetHeight());
     const float x = std::clamp(pixel.GetX(), place.GetLeft(), place.GetRight());
     const float y = std::clamp(pixel.GetY(), place.GetBottom(), place.GetTop());
     if (std::hypot(x - pixel.GetX(), y - pixel.GetY()) > Gap + 0.5f * Step)

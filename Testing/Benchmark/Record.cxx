@@ -81,6 +81,10 @@ Results ParseResults(const nlohmann::json& document)
     {
       results.Settings.push_back(setting);
     }
+    if (row.at("median_ms").is_null() || row.value("cold", false))
+    {
+      continue; // There is no time to compare.
+    }
     const auto& error = row.at("rmse");
     results.Methods[row.at("method")].insert({ setting,
       { row.at("median_ms"), error.is_null() ? std::nullopt : std::optional<double>(error),

@@ -18,23 +18,24 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 }
 
 //------------------------------------------------------------------------------
-double FindMedian(std::vector<double> values)
-{
-  return FindQuantile(std::move(values), 0.5);
-}
-
-//------------------------------------------------------------------------------
-double FindQuantile(std::vector<double> values, double p)
+double FindQuantile(std::vector<double> values, double fraction)
 {
   if (values.empty())
   {
     return NotANumber;
   }
   std::sort(values.begin(), values.end());
-  const double place = p * (values.size() - 1);
+  const double place = fraction * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - below) * (values[above] - values[below]);
+  const auto above = std::min(below + 1, values.size() - 1);
+  const double part = place - static_cast<double>(below);
+  return (1.0 - part) * values[below] + part * values[above];
+}
+
+//------------------------------------------------------------------------------
+double FindMedian(std::vector<double> values)
+{
+  return FindQuantile(std::move(values), 0.5);
 }
 
 //------------------------------------------------------------------------------

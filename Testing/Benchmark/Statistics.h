@@ -14,11 +14,15 @@ namespace pellucid
 {
 namespace benchmark
 {
+/**
+ * The number that the fraction, in [0,1], of all numbers is below: linear between the two nearest
+ * (R. J. Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996, definition 7); NaN of
+ * none.
+ */
+double FindQuantile(std::vector<double> values, double fraction);
+
 /** The middle one, or the mean of the two in the middle; NaN of none. */
 double FindMedian(std::vector<double> values);
-
-/** What the part p in [0,1] of the numbers is not above, linear between neighbours; NaN of none. */
-double FindQuantile(std::vector<double> values, double p);
 
 /**
  * The b of the power law y = a x^b that fits best, in the sense of least squares of the logarithms.

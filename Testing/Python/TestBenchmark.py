@@ -190,6 +190,7 @@ class TestRecord(BenchmarkTest):
             self.make_row("b", "vtk-unsorted", 1, 9, True),
             self.make_row("b", "pellucid", 20, 0.25, True),
             self.make_row("b", "k-buffer-4", 30, 0.5),
+            self.make_row("b", "multi-layer-4", None, None),
             self.make_row("c", "k-buffer-4", 99, 9, True),  # without the product
             self.make_row("b", "pellucid", 20, None, True, alpha=0.1),
             self.make_row("b", "k-buffer-4", 40, None, True, alpha=0.1),
