@@ -3,6 +3,7 @@
 
 #include "vtkCandidateDepthSlicesPass.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkCandidateCullDec.h"
 #include "vtkCandidateOpacitiesDec.h"
 #include "vtkCandidateOpacitiesFS.h"
@@ -51,6 +52,17 @@ bool vtkCandidateDepthSlicesPass::PreReplaceShaderValues(std::string& vertexShad
     "  }\n"
     "  //VTK::NodeValue::Impl",
     false);
+  if (mapper->IsA("vtkRoundedConeMapper"))
+  {
+    // Before the ray is intersected.
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
+      "if (pellucidIsSaturated(ivec2(gl_FragCoord.xy)))\n"
+      "  {\n"
+      "    discard;\n"
+      "  }\n"
+      "  //VTK::UniformFlow::Impl",
+      false);
+  }
   return this->Superclass::PreReplaceShaderValues(
     vertexShader, geometryShader, fragmentShader, mapper, prop);
 }

@@ -9,12 +9,13 @@
  * minimum opacity is made of what has been composited. The vertex shader drops a segment where the
  * bounding rectangle of its box lies over pixels in which nothing behind can be seen any more: that
  * is what SetNegligibleTransmittance() says, 0.05 in the paper. Fragments are dropped by the
- * opacity of their own pixel. The mip map is timed as stage `mip map`, which is a part of `gather`.
- * What other mappers draw is neither sliced nor culled.
+ * opacity of their own pixel, before their ray is intersected. What is dropped is not counted, nor
+ * is its order checked. The mip map is timed as stage `mip map`, which is a part of `gather`. What
+ * other mappers draw is neither sliced nor culled.
  *
  * As in the paper each slice is a draw of its part of the order, and the k-buffer goes on from
- * slice to slice. Unlike there, segments are sorted on the CPU, fragment shaders make the mip map,
- * and fragments are dropped after they are shaded, as the hooks of VTK's mappers have it.
+ * slice to slice. Unlike there, segments are sorted on the CPU, and fragment shaders make the mip
+ * map.
  */
 
 #ifndef vtkCandidateDepthSlicesPass_h
