@@ -7,6 +7,8 @@
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
@@ -37,6 +39,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkRoundedConeMapper);
+vtkInformationKeyRestrictedMacro(vtkRoundedConeMapper, DRAWN_NODES, IntegerVector, 2);
 
 namespace
 {
@@ -429,6 +432,10 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
 void vtkRoundedConeMapper::DrawLeaves(
   vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
 {
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const int* drawn = keys ? keys->Get(DRAWN_NODES()) : nullptr;
+  const vtkIdType begin = drawn ? drawn[0] : 0;
+  const vtkIdType end = drawn ? drawn[1] : this->Nodes->GetNumberOfNodes();
   const auto& leaves = this->Nodes->GetLeaves();
   for (std::size_t first = 0, last = 0; first < leaves.size(); first = last)
   {
@@ -439,7 +446,8 @@ void vtkRoundedConeMapper::DrawLeaves(
     if (display.IsDrawn(renderer->GetSelector() != nullptr))
     {
       vtkSetBlockDisplay(program, display, actor);
-      this->DrawNodes(this->Nodes->GetFirstNode(first), this->Nodes->GetFirstNode(last));
+      this->DrawNodes(std::max(begin, this->Nodes->GetFirstNode(first)),
+        std::min(end, this->Nodes->GetFirstNode(last)));
     }
   }
 }

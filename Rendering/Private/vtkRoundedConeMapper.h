@@ -32,6 +32,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
+class vtkInformationIntegerVectorKey;
 class vtkShaderEdit;
 
 class vtkRoundedConeMapper : public vtkOpenGLPolyDataMapper
@@ -39,6 +40,10 @@ class vtkRoundedConeMapper : public vtkOpenGLPolyDataMapper
 public:
   static vtkRoundedConeMapper* New();
   vtkTypeMacro(vtkRoundedConeMapper, vtkOpenGLPolyDataMapper);
+
+  /** In the property keys of an actor: the first of the nodes to draw, and the end of them. Without
+   * it all are drawn. For render passes that draw the nodes part by part. */
+  static vtkInformationIntegerVectorKey* DRAWN_NODES();
 
   /** How nodes get their colour. */
   enum class ColorSource

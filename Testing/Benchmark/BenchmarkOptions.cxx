@@ -168,6 +168,8 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   group.AddFlag("--no-errors", skipsErrors,
     "Measure no errors: the reference takes minutes and gigabytes for 1e8 fragments");
   group.AddText("--data", options.DataFolder, "FOLDER", "Where the samples are; default: Data/");
+  group.AddText("--record", options.RecordFile, "FILE",
+    "Print why candidates are not in the product, by a file of --json, and end");
   group.AddFlag("--list", options.Lists, "Name all scenes and methods, and end");
   OptionGroup scaling(app, "Scaling");
   scaling.AddFlag("--scaling", options.MeasuresScaling,

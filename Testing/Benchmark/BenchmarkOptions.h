@@ -35,6 +35,7 @@ struct BenchmarkOptions
   bool MeasuresScaling = false;
   ScalingLimits Limits;
   bool Lists = false;
+  std::string RecordFile; // of which to print why candidates are not in the product
 };
 
 /** The options; or an exit code, with help or one line of error already printed. */

@@ -21,8 +21,10 @@ namespace benchmark
 {
 /**
  * Error (RMSE) over time (median), both logarithmic, one panel for each scene, size and opacity.
- * Methods of one family are joined by a line; gold discs, with a line through them, are the Pareto
- * front. Rows without an error are left out. Draws off screen; throws RenderError where that fails.
+ * A line joins the methods of a family that a parameter orders. Pale discs, with a line through
+ * them, are the Pareto fronts, one for each shape; names stand beside the product and the fastest
+ * of those that are as good. Rows without an error are left out. Draws off screen; throws
+ * RenderError where that fails.
  */
 vtkSmartPointer<vtkImageData> DrawErrorTimePlot(const std::vector<Row>& rows);
 }

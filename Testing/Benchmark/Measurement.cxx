@@ -77,6 +77,8 @@ Row MakeRow(const Scene& scene, const Method& method, const MeasurementSettings&
   row.Scene = scene.GetName();
   row.Method = method.Name;
   row.Family = method.Family;
+  row.Parameter = method.Parameter;
+  row.Shape = method.GetShape(scene);
   row.Width = settings.Size[0];
   row.Height = settings.Size[1];
   row.Opacity = settings.Opacity;

@@ -24,8 +24,6 @@ namespace benchmark
 {
 namespace
 {
-constexpr const char* Pellucid = "pellucid";
-
 //------------------------------------------------------------------------------
 // The renderer draws with the pass that `make` returns.
 template <typename MakePass>
@@ -81,7 +79,8 @@ Method MakeDualPeeling(const std::string& suffix, const std::string& description
       renderer->UseDepthPeelingOn();
       renderer->SetMaximumNumberOfPeels(peels);
       renderer->SetOcclusionRatio(0.0);
-    } };
+    },
+    peels };
 }
 
 //------------------------------------------------------------------------------
@@ -104,27 +103,35 @@ std::vector<Method> MakeMethods()
   }
   methods.push_back(
     MakeDualPeeling("exact", "VTK, dual depth peeling until nothing is left", VTK_INT_MAX));
-  methods.push_back({ "pellucid", Pellucid, "Pellucid as it is, lines as ray-cast rounded cones",
-    Geometry::Trajectories, Install });
-  methods.push_back({ "pellucid-tubes", Pellucid, "Pellucid, with the triangles that VTK draws",
+  methods.push_back({ ProductName, ProductName,
+    "Pellucid as it is, lines as ray-cast rounded cones", Geometry::Trajectories, Install });
+  methods.push_back({ "pellucid-tubes", ProductName, "Pellucid, with the triangles that VTK draws",
     Geometry::Triangles, Install });
-  methods.push_back({ "pellucid-optimized", Pellucid,
+  methods.push_back({ "pellucid-optimized", ProductName,
     "Pellucid, with opacities optimised for an importance that grows with the height",
     Geometry::Segments, InstallOptimized });
   for (const Candidate& candidate : GetCandidates())
   {
-    methods.push_back({ candidate.Name, candidate.Family, candidate.Description,
-      Geometry::Trajectories, WithPass(candidate.MakePass) });
+    methods.push_back(
+      { candidate.Name, candidate.Family, candidate.Description, Geometry::Trajectories,
+        WithPass(candidate.MakePass), candidate.Parameter, candidate.Reason });
   }
   return methods;
 }
 }
 
 //------------------------------------------------------------------------------
+std::string Method::GetShape(const Scene& scene) const
+{
+  return this->Form == Geometry::Triangles || scene.HasPolygons() ? "triangles" : "cones";
+}
+
+//------------------------------------------------------------------------------
 bool Method::Suits(const Scene& scene) const
 {
-  const bool isVariant = this->Family == Pellucid && this->Name != Pellucid;
-  return !isVariant || !scene.HasPolygons();
+  const bool isVariant = this->Family == ProductName && this->Name != ProductName;
+  const bool isOfLines = isVariant || this->Family == "depth-slices";
+  return !isOfLines || !scene.HasPolygons();
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "Scenes.h"
 
 #include <functional> // for what makes a method
+#include <optional>   // for parameters
 #include <string>     // for names
 #include <vector>     // for the list
 
@@ -23,21 +24,33 @@ namespace benchmark
 struct Method
 {
   std::string Name;
-  std::string Family; // of one line in the plot
+  std::string Family; // of one colour in the plot
   std::string Description;
   Geometry Form = Geometry::Triangles;
 
   /** Make the renderer, which has its actors, draw by this method. */
   std::function<void(vtkRenderer* renderer)> Prepare;
 
+  /** What orders the family, so that a line through it means something; or none. */
+  std::optional<double> Parameter{};
+
+  /** Of a candidate, why it is not in the product; else empty. */
+  std::string Reason{};
+
   /** Opacities follow from importance, so the picture is not that of the others. */
   bool HasOptimizedOpacities() const { return this->Form == Geometry::Segments; }
+
+  /** What it draws of the scene: "cones", which are ray-cast as balls are, or "triangles". */
+  std::string GetShape(const Scene& scene) const;
 
   /** Whether the method says anything of this scene that no other one does. */
   bool Suits(const Scene& scene) const;
 };
 
-/** All of them: VTK's, those of the product, and candidates for it. */
+/** The product, with which candidates are compared. */
+constexpr const char* ProductName = "pellucid";
+
+/** All of them, in the order of their families and their parameters. */
 const std::vector<Method>& GetMethods();
 }
 }

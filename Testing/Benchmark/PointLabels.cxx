@@ -4,13 +4,18 @@
 #include "PointLabels.h"
 
 #include "vtkAxis.h"
+#include "vtkBrush.h"
 #include "vtkContext2D.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPen.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace pellucid
 {
@@ -18,32 +23,48 @@ namespace benchmark
 {
 namespace
 {
-constexpr int FontSize = 12;
-constexpr float Gap = 9.0f; // pixels between a point and its name
+constexpr int FontSize = 13;
+constexpr float PointRadius = 7.0f; // pixels that are kept free round a point
+constexpr float Gap = 9.0f;         // pixels between a point and its name
+constexpr float Padding = 5.0f;     // pixels between names
+constexpr float Step = 6.0f;        // pixels by which names move away
+constexpr int Steps = 40;
+constexpr int Directions = 16;
 
 //------------------------------------------------------------------------------
-bool Overlap(const vtkRectf& a, const vtkRectf& b)
+float FindOverlap(const vtkRectf& a, const vtkRectf& b)
 {
-  return a.GetLeft() < b.GetRight() && b.GetLeft() < a.GetRight() && a.GetBottom() < b.GetTop() &&
-    b.GetBottom() < a.GetTop();
+  const float width = std::min(a.GetRight(), b.GetRight()) - std::max(a.GetLeft(), b.GetLeft());
+  const float height = std::min(a.GetTop(), b.GetTop()) - std::max(a.GetBottom(), b.GetBottom());
+  return width > 0.0f && height > 0.0f ? width * height : 0.0f;
 }
 
 //------------------------------------------------------------------------------
-// Where a name of that size may stand, the best place first: beside the point, above and below it,
-// and then farther and farther away.
-std::vector<vtkRectf> ListPlaces(const vtkVector2f& point, float width, float height)
+bool Holds(const vtkRectf& outer, const vtkRectf& inner)
+{
+  return inner.GetLeft() >= outer.GetLeft() && inner.GetRight() <= outer.GetRight() &&
+    inner.GetBottom() >= outer.GetBottom() && inner.GetTop() <= outer.GetTop();
+}
+
+//------------------------------------------------------------------------------
+// Where a name of that size may stand, the best place first: right of the point and round it, and
+// then farther and farther away.
+std::vector<vtkRectf> ListPlaces(const vtkVector2f& point, const vtkVector2f& size)
 {
   std::vector<vtkRectf> places;
-  for (int row = 0; row <= 8; ++row)
+  for (int step = 0; step < Steps; ++step)
   {
-    for (const float sign : { 1.0f, -1.0f })
+    for (int direction = 0; direction < Directions; ++direction)
     {
-      const float y = point.GetY() + sign * row * (height + 1.0f) - 0.5f * height;
-      for (const float x :
-        { point.GetX() + Gap, point.GetX() - Gap - width, point.GetX() - 0.5f * width })
-      {
-        places.emplace_back(x, y, width, height);
-      }
+      const double angle = 2.0 * vtkMath::Pi() * direction / Directions;
+      const double x = std::cos(angle);
+      const double y = std::sin(angle);
+      const double distance = Gap + Step * step;
+      // Beside, above and below the point the rectangle begins at that distance.
+      places.emplace_back(
+        static_cast<float>(point.GetX() + distance * x + 0.5 * (x - 1.0) * size.GetX()),
+        static_cast<float>(point.GetY() + distance * y + 0.5 * (y - 1.0) * size.GetY()),
+        size.GetX(), size.GetY());
     }
   }
   return places;
@@ -53,9 +74,19 @@ std::vector<vtkRectf> ListPlaces(const vtkVector2f& point, float width, float he
 vtkStandardNewMacro(PointLabels);
 
 //------------------------------------------------------------------------------
-void PointLabels::AddLabel(const vtkVector2d& values, const std::string& text, bool isBold)
+void PointLabels::AddPoint(const vtkVector2d& values, const std::string& text)
 {
-  this->Labels.push_back({ values, text, isBold });
+  this->Points.push_back({ values, text });
+}
+
+//------------------------------------------------------------------------------
+vtkRectf PointLabels::GetInside()
+{
+  vtkAxis* bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* left = this->Chart->GetAxis(vtkAxis::LEFT);
+  const float x = bottom->GetPosition1()[0];
+  const float y = left->GetPosition1()[1];
+  return vtkRectf(x, y, bottom->GetPosition2()[0] - x, left->GetPosition2()[1] - y);
 }
 
 //------------------------------------------------------------------------------
@@ -76,6 +107,26 @@ vtkVector2f PointLabels::ToPixels(const vtkVector2d& values)
 }
 
 //------------------------------------------------------------------------------
+// The first place that is free, or else the one that covers least.
+vtkRectf PointLabels::FindPlace(const vtkVector2f& point, const vtkVector2f& size)
+{
+  const vtkRectf inside = this->GetInside();
+  vtkRectf best(inside.GetLeft(), inside.GetBottom(), size.GetX(), size.GetY());
+  float least = std::numeric_limits<float>::infinity();
+  for (const vtkRectf& place : ListPlaces(point, size))
+  {
+    const float covered = std::accumulate(this->Taken.begin(), this->Taken.end(), 0.0f,
+      [&place](float sum, const vtkRectf& other) { return sum + FindOverlap(place, other); });
+    if (Holds(inside, place) && covered < least)
+    {
+      least = covered;
+      best = place;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
 bool PointLabels::Paint(vtkContext2D* painter)
 {
   vtkNew<vtkTextProperty> font;
@@ -83,32 +134,44 @@ bool PointLabels::Paint(vtkContext2D* painter)
   font->SetColor(0.0, 0.0, 0.0);
   font->SetJustificationToLeft();
   font->SetVerticalJustificationToBottom();
+  painter->ApplyTextProp(font);
+  vtkNew<vtkPen> pen;
+  pen->SetColor(90, 90, 90);
+  pen->SetWidth(1.0f);
+  painter->ApplyPen(pen);
+  vtkNew<vtkBrush> ground;
+  ground->SetColor(255, 255, 255, 190);
+  painter->ApplyBrush(ground);
 
-  std::vector<vtkRectf> taken;
-  for (const Label& label : this->Labels)
+  this->Taken.clear();
+  for (const Point& point : this->Points)
   {
-    const vtkVector2f point = this->ToPixels(label.Values);
-    taken.emplace_back(point.GetX() - 4.0f, point.GetY() - 4.0f, 8.0f, 8.0f);
+    const vtkVector2f pixel = this->ToPixels(point.Values);
+    this->Taken.emplace_back(pixel.GetX() - PointRadius, pixel.GetY() - PointRadius,
+      2.0f * PointRadius, 2.0f * PointRadius);
   }
-  vtkRectf inside = this->Chart->GetSize();
-  for (const Label& label : this->Labels)
+  for (const Point& point : this->Points)
   {
-    font->SetBold(label.IsBold);
-    painter->ApplyTextProp(font);
-    float bounds[4];
-    painter->ComputeStringBounds(label.Text.c_str(), bounds);
-    const vtkVector2f point = this->ToPixels(label.Values);
-    const auto places = ListPlaces(point, bounds[2], bounds[3]);
-    const auto isFree = [&](const vtkRectf& place)
+    if (point.Text.empty())
     {
-      return place.GetLeft() > inside.GetLeft() && place.GetRight() < inside.GetRight() &&
-        std::none_of(taken.begin(), taken.end(),
-          [&place](const vtkRectf& other) { return Overlap(place, other); });
-    };
-    const auto found = std::find_if(places.begin(), places.end(), isFree);
-    const vtkRectf place = found == places.end() ? places.front() : *found;
-    taken.push_back(place);
-    painter->DrawString(place.GetLeft(), place.GetBottom(), label.Text.c_str());
+      continue;
+    }
+    float bounds[4];
+    painter->ComputeStringBounds(point.Text.c_str(), bounds);
+    const vtkVector2f pixel = this->ToPixels(point.Values);
+    const vtkRectf place = this->FindPlace(pixel, vtkVector2f(bounds[2], bounds[3]));
+    this->Taken.emplace_back(place.GetLeft() - Padding, place.GetBottom(),
+      place.GetWidth() + 2.0f * Padding, place.GetHeight());
+    const float x = std::clamp(pixel.GetX(), place.GetLeft(), place.GetRight());
+    const float y = std::clamp(pixel.GetY(), place.GetBottom(), place.GetTop());
+    if (std::hypot(x - pixel.GetX(), y - pixel.GetY()) > Gap + 0.5f * Step)
+    {
+      painter->DrawLine(pixel.GetX(), pixel.GetY(), x, y);
+    }
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter->DrawRect(place.GetLeft(), place.GetBottom(), place.GetWidth(), place.GetHeight());
+    painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter->DrawString(place.GetLeft(), place.GetBottom(), point.Text.c_str());
   }
   return true;
 }

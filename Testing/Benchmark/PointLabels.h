@@ -20,31 +20,37 @@ namespace pellucid
 {
 namespace benchmark
 {
-/** An item of a chart whose axes both are logarithmic. */
+/**
+ * An item of a chart whose axes both are logarithmic. Names stay within the axes. Those that have
+ * no room beside their point are farther away, with a line to it.
+ */
 class PointLabels : public vtkContextItem
 {
 public:
   static PointLabels* New();
   vtkTypeMacro(PointLabels, vtkContextItem);
 
-  /** Label the point at these values of the chart's bottom and left axis. */
-  void AddLabel(const vtkVector2d& values, const std::string& text, bool isBold);
+  /** Keep the point at these values of the chart's bottom and left axis free, and put its text,
+   * unless that is empty, beside it. */
+  void AddPoint(const vtkVector2d& values, const std::string& text);
 
   void SetChart(vtkChartXY* chart) { this->Chart = chart; }
 
   bool Paint(vtkContext2D* painter) override;
 
 private:
-  struct Label
+  struct Point
   {
     vtkVector2d Values;
     std::string Text;
-    bool IsBold;
   };
 
+  vtkRectf GetInside();
   vtkVector2f ToPixels(const vtkVector2d& values);
+  vtkRectf FindPlace(const vtkVector2f& point, const vtkVector2f& size);
 
-  std::vector<Label> Labels;
+  std::vector<Point> Points;
+  std::vector<vtkRectf> Taken; // while it paints: points and names
   vtkChartXY* Chart = nullptr; // which owns this item
 };
 }

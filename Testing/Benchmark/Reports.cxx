@@ -43,6 +43,8 @@ Json ToJson(const Row& row)
     { "scene", row.Scene },
     { "method", row.Method },
     { "family", row.Family },
+    { "parameter", ToJson(row.Parameter) },
+    { "shape", row.Shape },
     { "width", row.Width },
     { "height", row.Height },
     { "alpha", row.Opacity },

@@ -26,6 +26,8 @@ struct Row
   std::string Scene;
   std::string Method;
   std::string Family;
+  std::optional<double> Parameter; // which orders the family
+  std::string Shape;               // "cones" or "triangles"
   int Width = 0;
   int Height = 0;
   double Opacity = 0.0;
@@ -48,13 +50,6 @@ struct Row
   double GetTime(double fraction) const;
   double GetMedian() const { return this->GetTime(0.5); }
 };
-
-/**
- * Find the Pareto front of the methods for each scene, size and opacity. Errors (RMSE) that are the
- * same when rounded to 1/100 of a step count as the same; optimised opacities make another picture,
- * which is no choice, and the time of a cold frame is not comparable.
- */
-void MarkFronts(std::vector<Row>& rows);
 }
 }
 

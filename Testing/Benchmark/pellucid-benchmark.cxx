@@ -12,10 +12,12 @@
 #include "Choices.h"
 #include "ErrorTimePlot.h"
 #include "MessageLog.h"
+#include "ParetoFront.h"
 #include "PictureFile.h"
 #include "PictureWindow.h"
 #include "PlainText.h"
 #include "Program.h"
+#include "Record.h"
 #include "RenderError.h"
 #include "Reports.h"
 #include "ResultFile.h"
@@ -151,6 +153,11 @@ void Run(const BenchmarkOptions& options)
   if (options.Lists)
   {
     WriteList(std::cout, options.DataFolder);
+    return;
+  }
+  if (!options.RecordFile.empty())
+  {
+    PrintRecord(options.RecordFile, std::cout);
     return;
   }
   const auto scenes = ChooseScenes(options.Scenes, options.DataFolder);

@@ -5,10 +5,12 @@
 
 import csv
 import datetime
+import fnmatch
 import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -16,8 +18,9 @@ import unittest
 from pictures import read_png
 
 PROGRAM = os.environ["PELLUCID_BENCHMARK"]
-KEYS = ["scene", "method", "family", "width", "height", "alpha", "segments", "optimized", "fragments",
-        "longest_list", "frames", "cold", "interleaved", "median_ms", "min_ms", "lower_quartile_ms",
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "Benchmark"
+KEYS = ["scene", "method", "family", "parameter", "shape", "width", "height", "alpha", "segments",
+        "optimized", "fragments", "longest_list", "frames", "cold", "interleaved", "median_ms", "min_ms", "lower_quartile_ms",
         "upper_quartile_ms", "max_ms", "stages", "bytes", "buffer_bytes", "rmse", "max_error", "psnr",
         "ssim", "rmse_covered", "rmse_all_pixels", "max_error_all_pixels", "covered_pixels",
         "edge_pixels", "skipped", "on_front"]
@@ -237,6 +240,94 @@ class TestFiles(BenchmarkTest):
             if line.startswith("  "):
                 self.assertRegex(line, r"^  \S+ +\S")
                 self.assertLess(line.rindex("  ", 0, 36), 34)
+
+
+    def list_methods(self):
+        result = self.run_program("--list")
+        names = result.stdout.split("Methods:\n")[1].splitlines()
+        return [line.split()[0] for line in names]
+
+    def test_methods_in_readme(self):
+        """Each method has one line in the table of methods, and each line a method."""
+        section = (FOLDER / "README.md").read_text().split("### Methods\n")[1].split("\n### ")[0]
+        patterns = re.findall(r"^\| `([^`]+)` \| .", section, re.MULTILINE)
+        methods = self.list_methods()
+        self.assertGreater(len(methods), 40)
+        for method in methods:
+            found = [pattern for pattern in patterns if fnmatch.fnmatchcase(method, pattern)]
+            self.assertEqual(len(found), 1, method)
+        for pattern in patterns:
+            self.assertTrue(fnmatch.filter(methods, pattern), pattern)
+
+
+class TestRecord(BenchmarkTest):
+    """Why candidates are not in the product."""
+
+    def write(self, rows):
+        file = self.folder / "results.json"
+        machine = {"renderer": "r", "opengl": "o", "vtk": "9.2", "processor": "p", "threads": 2}
+        file.write_text(json.dumps({"machine": machine, "rows": rows}))
+        return file
+
+    def make_row(self, scene, method, milliseconds, rmse, on_front=False, alpha=0.3):
+        return {"scene": scene, "method": method, "width": 80, "height": 60, "alpha": alpha,
+                "median_ms": milliseconds, "rmse": rmse, "on_front": on_front}
+
+    def record(self, file):
+        result = self.run_program("--record", file, environment={"DISPLAY": ""})
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def test_table(self):
+        file = self.write([
+            self.make_row("a", "pellucid", 10, 0.25, True),
+            self.make_row("a", "lists-shell", 15, 0.25),
+            self.make_row("a", "k-buffer-4", 5, 1.25, True),
+            self.make_row("b", "vtk-unsorted", 1, 9, True),
+            self.make_row("b", "pellucid", 20, 0.25, True),
+            self.make_row("b", "k-buffer-4", 30, 0.5),
+            self.make_row("b", "multi-layer-4", None, None),
+            self.make_row("c", "k-buffer-4", 99, 9, True),  # without the product
+            self.make_row("b", "pellucid", 20, None, True, alpha=0.1),
+            self.make_row("b", "k-buffer-4", 40, None, True, alpha=0.1),
+        ])
+        lines = self.record(file).splitlines()
+        self.assertEqual(lines[0], "r, VTK 9.2, p, 80x60: a at 0.3, b at 0.3, c at 0.3, b at 0.1.")
+        shell, buffer = [line.split(" | ") for line in lines[4:]]
+        self.assertEqual(shell[:6], ["| `lists-shell`", "-", "1.50", "1.50", "1.50", "0.00"])
+        self.assertEqual(
+            buffer[:6], ["| `k-buffer-4`", "a at 0.3, b at 0.1", "0.50", "1.50", "2.00", "1.00"])
+        for line in shell, buffer:
+            self.assertGreater(len(line[6]), 20)  # the reason
+
+    def test_measured(self):
+        """Every candidate has a reason, in the file that --json writes as well."""
+        file = self.folder / "measured.json"
+        self.run_program("--quick", "--scene", "layers-4", "--size", "9x9", "--frames", "1", "--json", file)
+        lines = self.record(file).splitlines()[4:]
+        rows = json.loads(file.read_text())["rows"]
+        candidates = [row["method"] for row in rows if not row["method"].startswith(("vtk-", "pellucid"))]
+        self.assertEqual([line.split("`")[1] for line in lines], candidates)
+        for line in lines:
+            self.assertRegex(line, r" \| [a-z][^|]{20,} \|$")
+
+    def test_readme(self):
+        """The table of README.md is that of the results beside it."""
+        text = (FOLDER / "README.md").read_text()
+        table = text.split("<!-- record -->\n")[1].split("<!-- end of record -->\n")[0]
+        self.assertEqual(self.record(FOLDER / "Results" / "llvmpipe.json"), table)
+
+    def test_refusals(self):
+        absent = self.folder / "absent.json"
+        self.refuse(1, "absent.json: cannot be read", "--record", absent)
+        other = self.folder / "other.json"
+        for text in "{", "[]", '{"machine": {}, "rows": []}':
+            other.write_text(text)
+            self.refuse(1, "other.json: expected a file that --json has written, found: ", "--record", other)
+        self.refuse(1, "expected methods that --list names, found 'lists-bubble'; measure again",
+                    "--record", self.write([self.make_row("a", "lists-bubble", 1, 1)]))
+        self.refuse(1, "expected a row of 'pellucid' to compare with, found none",
+                    "--record", self.write([self.make_row("a", "lists-shell", 1, 1)]))
 
 
 class TestRefusals(BenchmarkTest):

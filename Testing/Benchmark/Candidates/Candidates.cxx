@@ -30,27 +30,40 @@ std::function<vtkSmartPointer<vtkCandidatePass>()> Make(Prepare prepare)
 }
 
 //------------------------------------------------------------------------------
+struct NamedSort
+{
+  const char* Name;
+  const char* Description;
+  const char* Reason;
+  int Sort;
+};
+constexpr NamedSort Insertion = { "insertion", "insertion sort in local memory",
+  "wrong beyond lists of 320, where its quadratic time has long been the slowest",
+  Lists::SORT_INSERTION };
+constexpr NamedSort Heap = { "heap-4", "quaternary heap as priority queue",
+  "wrong beyond lists of 512; what it gained by stopping early the product's sort does too",
+  Lists::SORT_HEAP };
+constexpr NamedSort Selection = { "selection-16", "repeated selection of the 16 nearest",
+  "wrong beyond lists of 208 to thousands, by their order", Lists::SORT_SELECTION };
+
+//------------------------------------------------------------------------------
 void AddLists(std::vector<Candidate>& candidates)
 {
-  struct Named
-  {
-    const char* Name;
-    const char* Description;
-    int Sort;
-  };
-  for (const Named& sort :
-    { Named{ "insertion", "insertion sort in local memory", Lists::SORT_INSERTION },
-      { "shell", "Shell sort in local memory", Lists::SORT_SHELL },
-      { "heap-4", "quaternary heap as priority queue", Lists::SORT_HEAP },
-      { "merge", "bottom-up merge sort in local memory", Lists::SORT_MERGE },
-      { "selection-16", "repeated selection of the 16 nearest", Lists::SORT_SELECTION } })
+  for (const NamedSort& sort : { Insertion,
+         NamedSort{
+           "shell", "Shell sort in local memory", "wrong beyond lists of 512", Lists::SORT_SHELL },
+         Heap,
+         NamedSort{ "merge", "bottom-up merge sort in local memory", "wrong beyond lists of 512",
+           Lists::SORT_MERGE },
+         Selection })
   {
     const int kind = sort.Sort;
-    candidates.push_back({ std::string("lists-") + sort.Name, "lists",
-      std::string("linked lists, ") + sort.Description, true,
+    candidates.push_back({ std::string("lists-") + sort.Name, "lists", std::nullopt,
+      std::string("linked lists, ") + sort.Description, sort.Reason, true,
       Make<Lists>([kind](Lists* pass) { pass->SetSort(kind); }) });
     candidates.push_back({ std::string("count-and-fill-") + sort.Name, "count-and-fill",
-      std::string("arrays filled in a second draw, ") + sort.Description, true,
+      std::nullopt, std::string("arrays filled in a second draw, ") + sort.Description,
+      "draws the geometry twice, to save a link for each fragment", true,
       Make<Lists>(
         [kind](Lists* pass)
         {
@@ -61,16 +74,18 @@ void AddLists(std::vector<Candidate>& candidates)
 }
 
 //------------------------------------------------------------------------------
-void AddFormats(std::vector<Candidate>& candidates)
+void AddColors(std::vector<Candidate>& candidates)
 {
-  for (const Lists::Colors bytes : { Lists::COLOR_32_BITS, Lists::COLOR_128_BITS })
+  const auto add = [&candidates](Lists::Colors bytes, const char* reason)
   {
-    candidates.push_back({ "lists-" + std::to_string(bytes + 4) + "-bytes", "lists",
-      "linked lists, quaternary heap, colours of " + std::to_string(8 * bytes) +
-        " bits instead of 64",
+    const std::string bits = std::to_string(8 * bytes);
+    candidates.push_back({ "lists-color-" + bits, "lists-color", 8.0 * bytes,
+      "linked lists, quaternary heap, colours of " + bits + " bits instead of 64", reason,
       bytes != Lists::COLOR_32_BITS,
       Make<Lists>([bytes](Lists* pass) { pass->SetColorBytes(bytes); }) });
-  }
+  };
+  add(Lists::COLOR_32_BITS, "an opacity of 8 bits is a bias that long lists add up");
+  add(Lists::COLOR_128_BITS, "half as much memory again, for what 8 bits cannot show");
 }
 
 //------------------------------------------------------------------------------
@@ -85,12 +100,24 @@ constexpr Threshold Thresholds[] = { { "0.004", 1.0 / 255.0 }, { "0.01", 0.01 },
 //------------------------------------------------------------------------------
 void AddThresholds(std::vector<Candidate>& candidates)
 {
-  for (const Threshold& threshold : Thresholds)
+  for (const NamedSort& sort : { Insertion, Heap, Selection })
   {
-    const double value = threshold.Transmittance;
-    candidates.push_back({ std::string("lists-stop-") + threshold.Name, "lists-stop",
-      std::string("linked lists, quaternary heap, stops at a transmittance of ") + threshold.Name,
-      false, Make<Lists>([value](Lists* pass) { pass->SetNegligibleTransmittance(value); }) });
+    const std::string family = std::string("lists-stop-") + sort.Name;
+    for (const Threshold& threshold : Thresholds)
+    {
+      const double value = threshold.Transmittance;
+      const int kind = sort.Sort;
+      candidates.push_back({ family + "-" + threshold.Name, family, value,
+        std::string("linked lists, ") + sort.Description + ", stops at a transmittance of " +
+          threshold.Name,
+        std::string("what it leaves out can be seen, and ") + sort.Reason, false,
+        Make<Lists>(
+          [kind, value](Lists* pass)
+          {
+            pass->SetSort(kind);
+            pass->SetNegligibleTransmittance(value);
+          }) });
+    }
   }
 }
 
@@ -100,15 +127,17 @@ void AddLayers(std::vector<Candidate>& candidates)
   for (const int layers : { 2, 4, 8, 16, 32 })
   {
     const std::string number = std::to_string(layers);
-    candidates.push_back({ "k-buffer-" + number, "k-buffer",
+    candidates.push_back({ "k-buffer-" + number, "k-buffer", layers,
       "sorted geometry, the nearest of " + number + " entries is composited when they are full",
-      false, Make<vtkCandidateKBufferPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
+      "sorts the geometry in every frame, and is wrong where it cannot be sorted", false,
+      Make<vtkCandidateKBufferPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
   }
   for (const int layers : { 4, 8, 16 })
   {
     const std::string number = std::to_string(layers);
-    candidates.push_back({ "multi-layer-" + number, "multi-layer",
-      "multi-layer alpha blending, the farthest of " + number + " layers are merged", false,
+    candidates.push_back({ "multi-layer-" + number, "multi-layer", layers,
+      "multi-layer alpha blending, the farthest of " + number + " layers are merged",
+      "wrong where more lines overlap than there are layers", false,
       Make<vtkCandidateMultiLayerPass>([layers](auto* pass) { pass->SetLayers(layers); }) });
   }
 }
@@ -121,10 +150,10 @@ void AddDepthSlices(std::vector<Candidate>& candidates)
   for (const Threshold& threshold : thresholds)
   {
     const double value = threshold.Transmittance;
-    candidates.push_back({ std::string("depth-slices-") + threshold.Name, "depth-slices",
+    candidates.push_back({ std::string("depth-slices-") + threshold.Name, "depth-slices", value,
       std::string("k-buffer of 8, ten slices culled by opacity at a transmittance of ") +
         threshold.Name,
-      false,
+      "as the k-buffer; culls only what is behind lines that are nearly opaque", false,
       Make<vtkCandidateDepthSlicesPass>(
         [value](auto* pass)
         {
@@ -140,7 +169,7 @@ std::vector<Candidate> GetCandidates()
 {
   std::vector<Candidate> candidates;
   AddLists(candidates);
-  AddFormats(candidates);
+  AddColors(candidates);
   AddThresholds(candidates);
   AddLayers(candidates);
   AddDepthSlices(candidates);

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,11 @@ namespace pellucid
 struct Candidate
 {
   std::string Name;
-  std::string Family;      ///< those with the same store and the same way to composite
-  std::string Description; ///< in one line
-  bool IsExact;            ///< by design; GetLossyPixels() tells of a frame
+  std::string Family;              ///< those with the same store and the same way to composite
+  std::optional<double> Parameter; ///< what orders its family; none: the family has no order
+  std::string Description;         ///< in one line
+  std::string Reason;              ///< why it is not in the product, in one line
+  bool IsExact;                    ///< by design; GetLossyPixels() tells of a frame
   std::function<vtkSmartPointer<vtkCandidatePass>()> MakePass;
 };
 

@@ -3,6 +3,7 @@
 
 #include "vtkCandidateDepthSlicesPass.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkCandidateCullDec.h"
 #include "vtkCandidateOpacitiesDec.h"
 #include "vtkCandidateOpacitiesFS.h"
@@ -51,6 +52,17 @@ bool vtkCandidateDepthSlicesPass::PreReplaceShaderValues(std::string& vertexShad
     "  }\n"
     "  //VTK::NodeValue::Impl",
     false);
+  if (mapper->IsA("vtkRoundedConeMapper"))
+  {
+    // Before the ray is intersected.
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
+      "if (pellucidIsSaturated(ivec2(gl_FragCoord.xy)))\n"
+      "  {\n"
+      "    discard;\n"
+      "  }\n"
+      "  //VTK::UniformFlow::Impl",
+      false);
+  }
   return this->Superclass::PreReplaceShaderValues(
     vertexShader, geometryShader, fragmentShader, mapper, prop);
 }
@@ -69,8 +81,15 @@ bool vtkCandidateDepthSlicesPass::RenderTranslucent(const vtkRenderState* state)
     this->LevelsTime.Modified();
   }
   const vtkIdType texels = ((vtkIdType{ 1 } << (2 * levels)) - 1) / 3;
-  return this->Reserve(OpacitiesBinding, texels * static_cast<vtkIdType>(sizeof(float))) &&
-    this->Superclass::RenderTranslucent(state);
+  const auto bytes = texels * static_cast<vtkIdType>(sizeof(float));
+  if (!this->Reserve(OpacitiesBinding, bytes))
+  {
+    return false;
+  }
+  this->Buffers.Clear(OpacitiesBinding, bytes);
+  this->OpacitiesShader = this->AssembleShader(vtkCandidateOpacitiesFS);
+  this->HasDrawn = false;
+  return this->Superclass::RenderTranslucent(state);
 }
 
 //------------------------------------------------------------------------------
@@ -80,7 +99,11 @@ void vtkCandidateDepthSlicesPass::DrawNodes(vtkRenderer* renderer, vtkProp* prop
   {
     const auto getStart = [&](vtkIdType number)
     { return static_cast<int>(number * nodes / this->Slices); };
-    this->UpdateOpacities();
+    if (this->HasDrawn)
+    {
+      this->UpdateOpacities();
+    }
+    this->HasDrawn = true;
     this->DrawSlice(renderer, prop, getStart(slice), getStart(slice + 1));
   }
 }
@@ -98,8 +121,8 @@ void vtkCandidateDepthSlicesPass::UpdateOpacities()
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     state->vtkglViewport(
       0, 0, ((this->Viewport[2] - 1) >> level) + 1, ((this->Viewport[3] - 1) >> level) + 1);
-    this->DrawPixels(
-      vtkCandidateOpacitiesFS, "#define PELLUCID_LEVEL " + std::to_string(level) + "\n");
+    this->DrawPixels(this->OpacitiesShader,
+      [level](vtkShaderProgram* program) { program->SetUniformi("pellucidLevel", level); });
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

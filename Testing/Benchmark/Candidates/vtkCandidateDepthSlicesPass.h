@@ -8,11 +8,14 @@
  * 2021, section 4.3. Between two slices of the segments of a vtkTrajectoryMapper a mip map of the
  * minimum opacity is made of what has been composited. The vertex shader drops a segment where the
  * bounding rectangle of its box lies over pixels in which nothing behind can be seen any more: that
- * is what SetNegligibleTransmittance() says, 0.05 in the paper. The mip map is timed as stage `mip
- * map`, which is a part of `gather`. What other mappers draw is neither sliced nor culled.
+ * is what SetNegligibleTransmittance() says, 0.05 in the paper. Fragments are dropped by the
+ * opacity of their own pixel, before their ray is intersected. What is dropped is not counted, nor
+ * is its order checked. The mip map is timed as stage `mip map`, which is a part of `gather`. What
+ * other mappers draw is neither sliced nor culled.
  *
- * Unlike in the paper, where a slice is a part of the index buffer, the vertex shader runs for all
- * segments in each slice and leaves at once for those of the others.
+ * As in the paper each slice is a draw of its part of the order, and the k-buffer goes on from
+ * slice to slice. Unlike there, segments are sorted on the CPU, and fragment shaders make the mip
+ * map.
  */
 
 #ifndef vtkCandidateDepthSlicesPass_h
@@ -57,7 +60,9 @@ private:
   void UpdateOpacities();
 
   int Slices = 10;
-  int Levels = 1; ///< 2 to their power is at least the longer side of the picture
+  bool HasDrawn = false;       ///< a slice of the frame
+  std::string OpacitiesShader; ///< of the frame
+  int Levels = 1;              ///< 2 to their power is at least the longer side of the picture
   vtkTimeStamp LevelsTime;
 };
 

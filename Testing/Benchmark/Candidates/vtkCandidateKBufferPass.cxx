@@ -11,6 +11,9 @@
 #include "vtkCandidateDrawOrderImpl.h"
 #include "vtkCandidateKBufferDec.h"
 #include "vtkDepthSortPolyData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerVectorKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkLine.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -80,6 +83,13 @@ private:
   Point Eye;
   Point Direction;
 };
+
+/** vtkRoundedConeMapper::DRAWN_NODES() of the shared library, which does not export it. */
+vtkInformationIntegerVectorKey* FindDrawnNodesKey()
+{
+  return vtkInformationIntegerVectorKey::SafeDownCast(
+    vtkInformationKeyLookup::Find("DRAWN_NODES", "vtkRoundedConeMapper"));
+}
 
 /** The nodes of one leaf that draw something, nearest first, then the others. Returns the number of
  * the first ones. */
@@ -161,12 +171,6 @@ bool vtkCandidateKBufferPass::PreReplaceShaderValues(std::string& vertexShader,
   }
   return this->Superclass::PreReplaceShaderValues(
     vertexShader, geometryShader, fragmentShader, mapper, prop);
-}
-
-//------------------------------------------------------------------------------
-void vtkCandidateKBufferPass::SetStoreUniforms(vtkShaderProgram* program)
-{
-  program->SetUniform2i("pellucidSlice", this->Slice);
 }
 
 //------------------------------------------------------------------------------
@@ -270,9 +274,12 @@ void vtkCandidateKBufferPass::DrawNodes(vtkRenderer* renderer, vtkProp* prop, in
 //------------------------------------------------------------------------------
 void vtkCandidateKBufferPass::DrawSlice(vtkRenderer* renderer, vtkProp* prop, int first, int end)
 {
-  this->Slice[0] = first;
-  this->Slice[1] = end;
+  vtkInformation* keys = prop->GetPropertyKeys(); // which has at least that of the passes
+  vtkInformationIntegerVectorKey* drawnNodes = FindDrawnNodesKey();
+  const int range[2] = { first, end };
+  keys->Set(drawnNodes, range, 2);
   prop->RenderTranslucentPolygonalGeometry(renderer);
+  keys->Remove(drawnNodes);
 }
 
 //------------------------------------------------------------------------------

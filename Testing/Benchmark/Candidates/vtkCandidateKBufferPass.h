@@ -51,14 +51,13 @@ protected:
 
   std::string GetOverflowCode() override;
   void Define(vtkShaderDefinitions& definitions) override;
-  void SetStoreUniforms(vtkShaderProgram* program) override;
   std::vector<vtkProp*> GetDrawnProps(const vtkRenderState* state) override;
   void DrawProp(vtkRenderer* renderer, vtkProp* prop) override;
 
   /** Draw the first `nodes` nodes of the order, those with a segment or a ball. */
   virtual void DrawNodes(vtkRenderer* renderer, vtkProp* prop, int nodes);
 
-  /** Draw this part of the nodes. */
+  /** Draw this part of the order, and nothing of the others. */
   void DrawSlice(vtkRenderer* renderer, vtkProp* prop, int first, int end);
 
 private:
@@ -81,7 +80,6 @@ private:
   /** Of a mapper that is gone, too: times do not repeat, so that another at its address has its
    * own. */
   std::map<vtkTrajectoryMapper*, MapperNodes> Nodes;
-  int Slice[2] = { 0, 0 };
 };
 
 VTK_ABI_NAMESPACE_END

@@ -114,7 +114,7 @@ bool vtkCandidateLayersPass::RenderTranslucent(const vtkRenderState* state)
     this->DrawProps(state);
   }
   vtkStageTimers::Scope stage(this->Timers, "resolve");
-  this->DrawPixels(vtkCandidateLayersFS, "");
+  this->DrawPixels(this->AssembleShader(vtkCandidateLayersFS));
   return true;
 }
 

@@ -164,7 +164,7 @@ bool vtkCandidateListsPass::GatherArrays(const vtkRenderState* state)
     this->DrawProps(state);
   }
   vtkStageTimers::Scope stage(this->Timers, "gather");
-  this->DrawOffScreen([this] { this->DrawPixels(vtkCandidateAllocateFS, ""); });
+  this->DrawOffScreen([this] { this->DrawPixels(this->AssembleShader(vtkCandidateAllocateFS)); });
   if (!this->ReserveNodes(this->ReadCounters().Fragments))
   {
     return false;
@@ -195,11 +195,11 @@ void vtkCandidateListsPass::Resolve()
   std::string shader = vtkCandidateListsFS;
   vtkShaderProgram::Substitute(shader, "//VTK::Pellucid::Sort", sort);
 
-  this->DrawPixels(shader, "#define PELLUCID_BREAK_TIES 0\n");
+  this->DrawPixels(this->AssembleShader(shader, "#define PELLUCID_BREAK_TIES 0\n"));
   if (this->ReadCounters().HasTies != 0)
   {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    this->DrawPixels(shader, "#define PELLUCID_BREAK_TIES 1\n");
+    this->DrawPixels(this->AssembleShader(shader, "#define PELLUCID_BREAK_TIES 1\n"));
   }
 }
 

@@ -178,7 +178,7 @@ void vtkCandidatePass::DrawProp(vtkRenderer* renderer, vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkCandidatePass::DrawPixels(
+std::string vtkCandidatePass::AssembleShader(
   const std::string& fragmentShader, const std::string& moreDefinitions)
 {
   std::string source = fragmentShader;
@@ -187,8 +187,22 @@ void vtkCandidatePass::DrawPixels(
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Declarations",
     std::string(vtkCandidateDec) + vtkFragmentColorDec + this->GetDeclarations());
   vtkShaderProgram::Substitute(source, "//VTK::Pellucid::Blend", vtkCandidateBlendDec);
-  this->Stage.Draw(
-    this->Window, source, [this](vtkShaderProgram* program) { this->SetPixelUniforms(program); });
+  return source;
+}
+
+//------------------------------------------------------------------------------
+void vtkCandidatePass::DrawPixels(
+  const std::string& shader, const vtkStageDraw::SetUniforms& setUniforms)
+{
+  this->Stage.Draw(this->Window, shader,
+    [&](vtkShaderProgram* program)
+    {
+      this->SetPixelUniforms(program);
+      if (setUniforms)
+      {
+        setUniforms(program);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -135,9 +135,12 @@ protected:
   /** Draw all props, each fragment of which comes to the code of GetStoreCode(). */
   void DrawProps(const vtkRenderState* state);
 
-  /** Draw every pixel of the picture with the shader, whose //VTK::Pellucid::Definitions,
-   * Declarations and Blend are replaced; `moreDefinitions` are of this draw alone. */
-  void DrawPixels(const std::string& fragmentShader, const std::string& moreDefinitions);
+  /** The shader with its //VTK::Pellucid::Definitions, Declarations and Blend replaced. */
+  std::string AssembleShader(
+    const std::string& fragmentShader, const std::string& moreDefinitions = "");
+
+  /** Draw every pixel of the picture with a shader that AssembleShader() has made. */
+  void DrawPixels(const std::string& shader, const vtkStageDraw::SetUniforms& setUniforms = {});
 
   /** Call `draw` without colour output. */
   void DrawOffScreen(const std::function<void()>& draw);

@@ -7,4 +7,3 @@ layout(std430, binding = PELLUCID_ORDER_BINDING) readonly buffer PellucidOrder
 {
   uint pellucidOrder[];
 };
-uniform ivec2 pellucidSlice; // the first and the end of what is drawn of it

@@ -27,6 +27,13 @@ layout(std430, binding = PELLUCID_FRONTS_BINDING) coherent buffer PellucidFronts
   vec4 pellucidFronts[];
 };
 
+// Whether nothing behind what is composited in a window pixel can be seen
+bool pellucidIsSaturated(ivec2 windowPixel)
+{
+  int pixel = pellucidPixelIndex(windowPixel);
+  return pixel >= 0 && 1.0 - pellucidFronts[pixel].a <= PELLUCID_NEGLIGIBLE_TRANSMITTANCE;
+}
+
 // Nearer first; of equal depth as the product orders them
 bool pellucidIsBefore(uint depthA, uvec2 colorA, uint depthB, uvec2 colorB)
 {

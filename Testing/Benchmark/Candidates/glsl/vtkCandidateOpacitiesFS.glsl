@@ -3,22 +3,21 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Makes level PELLUCID_LEVEL of the minimum opacities from the one before it, or the first from the
+// Makes one level of the minimum opacities from the one before it, or the first from the
 // pixels. The viewport starts at 0, 0 and has the size of the level.
 //
 // Reads: fronts, or a level. Writes: a level. No colour output.
 
 //VTK::Pellucid::Declarations
 
+uniform int pellucidLevel;
+
 float opacityBefore(ivec2 texel)
 {
-  ivec2 last = (pellucidViewportSize - 1) >> (PELLUCID_LEVEL - 1);
+  ivec2 last = (pellucidViewportSize - 1) >> (pellucidLevel - 1);
   texel = min(texel, last);
-#if PELLUCID_LEVEL == 1
-  return pellucidFronts[texel.y * pellucidViewportSize.x + texel.x].a;
-#else
-  return pellucidOpacities[pellucidOpacityIndex(PELLUCID_LEVEL - 1, texel)];
-#endif
+  return pellucidLevel == 1 ? pellucidFronts[texel.y * pellucidViewportSize.x + texel.x].a
+                            : pellucidOpacities[pellucidOpacityIndex(pellucidLevel - 1, texel)];
 }
 
 void main()
@@ -26,5 +25,5 @@ void main()
   ivec2 texel = ivec2(gl_FragCoord.xy);
   float low = min(opacityBefore(2 * texel), opacityBefore(2 * texel + ivec2(1, 0)));
   float high = min(opacityBefore(2 * texel + ivec2(0, 1)), opacityBefore(2 * texel + 1));
-  pellucidOpacities[pellucidOpacityIndex(PELLUCID_LEVEL, texel)] = min(low, high);
+  pellucidOpacities[pellucidOpacityIndex(pellucidLevel, texel)] = min(low, high);
 }
