@@ -78,19 +78,15 @@ struct End
 };
 
 // A joint plane that leaves the axis at an angle g keeps no point farther out than radius * sin(g).
-// A steep cone would be wider there than its balls.
-End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius, float slope,
-  float largestRadius)
+// There a steep cone would be far wider than its balls.
+End makeEnd(float x, float outward, float radius, vec4 plane, float middleRadius, float slope)
 {
   float cosine = plane.x * outward;
-  if (cosine <= 0.0)
-  {
-    return End(x, radius, false);
-  }
   float reach = max(sqrt(max(1.0 - cosine * cosine, 0.0)), slope * outward);
   float cut = x + outward * radius * reach;
-  float coneRadius = (middleRadius - slope * cut) / sqrt(1.0 - slope * slope);
-  return End(cut, min(coneRadius, largestRadius), true);
+  float cutRadius = (middleRadius - slope * cut) / sqrt(1.0 - slope * slope);
+  bool disc = cosine > 0.0 && cutRadius < 2.0 * radius;
+  return disc ? End(cut, cutRadius, true) : End(x, radius, false);
 }
 
 // The interval (x, y) that an end covers in the plane at distance 1 along `middle`, z its half width
@@ -260,9 +256,8 @@ void main()
   End end2 = End(halfLength, r2, false);
   if (len > 0.0)
   {
-    float largestRadius = max(r1, r2);
-    end1 = makeEnd(-halfLength, -1.0, r1, startPlaneLC, middleRadius, slope, largestRadius);
-    end2 = makeEnd(halfLength, 1.0, r2, endPlaneLC, middleRadius, slope, largestRadius);
+    end1 = makeEnd(-halfLength, -1.0, r1, startPlaneLC, middleRadius, slope);
+    end2 = makeEnd(halfLength, 1.0, r2, endPlaneLC, middleRadius, slope);
   }
 
   // Everything below is in the LC xy plane, which holds the eye and the axis, seen from the eye.

@@ -216,7 +216,7 @@ double GetImportance(const PropDescription& prop, const double* point)
   {
     return 0.6;
   }
-  const double wave = 0.5 + 0.6 * std::sin(2.0 * point[0] + point[1] + prop.Seed);
+  const double wave = 0.5 + 0.6 * std::sin(2.0 * point[0] + point[1] + 0.7 * point[2] + prop.Seed);
   if (prop.Importance == "wave")
   {
     return wave;
