@@ -383,7 +383,7 @@ vtkActor* Scene::AddTo(vtkRenderer* renderer, Geometry form, double opacity)
   if (this->HasPolygons() || form == Geometry::Triangles)
   {
     actor->SetMapper(vtkNew<vtkPolyDataMapper>());
-    actor->GetProperty()->SetBackfaceCulling(!this->HasPolygons());
+    actor->GetProperty()->SetBackfaceCulling(!this->HasPolygons() && !this->DrawsInnerWalls);
   }
   else
   {
@@ -410,6 +410,14 @@ std::vector<SceneFamily> MakeSceneFamilies(const std::string& dataFolder)
       1000000,
       [](const std::string& name, int lines)
       { return MakeABCFlow(name, lines, SegmentsPerLine); } },
+    { "tubes", "the lines of abc; triangles have both walls, as VTK draws tubes by default",
+      { 1000, 5000 }, 1000000,
+      [](const std::string& name, int lines)
+      {
+        Scene scene = MakeABCFlow(name, lines, SegmentsPerLine);
+        scene.SetDrawsInnerWalls(true);
+        return scene;
+      } },
     { "combustor", "150 streamlines of the air in a combustor", {}, 0,
       [dataFolder](const std::string& name, int)
       { return ReadLines(name, dataFolder + "/combustor-lines.vtk"); } },

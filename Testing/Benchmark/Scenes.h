@@ -28,7 +28,7 @@ enum class Geometry
 {
   Trajectories, // vtkTrajectoryMapper: ray-cast rounded cones and balls
   Segments,     // the same, divided into segments that have an importance
-  Triangles     // vtkPolyDataMapper: tubes of 8 sides and balls of 8 x 8, without their inner walls
+  Triangles     // vtkPolyDataMapper: tubes of 8 sides and balls of 8 x 8
 };
 
 /** Surfaces are triangles in all forms. */
@@ -40,6 +40,10 @@ public:
   Scene(std::string name, vtkSmartPointer<vtkPolyData> data, double radius);
 
   const std::string& GetName() const { return this->Name; }
+
+  /** Draw both walls of tubes and balls that are triangles, as VTK does by default; else only the
+   * outer ones, which are all that vtkTrajectoryMapper draws. */
+  void SetDrawsInnerWalls(bool draws) { this->DrawsInnerWalls = draws; }
 
   /** Whether the scene is of polygons, and so looks the same in all forms. */
   bool HasPolygons() const { return this->Radius == 0.0; }
@@ -63,6 +67,7 @@ private:
 
   std::string Name;
   double Radius;
+  bool DrawsInnerWalls = false;
   std::map<Geometry, vtkSmartPointer<vtkPolyData>> Forms;
 };
 
