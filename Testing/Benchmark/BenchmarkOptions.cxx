@@ -149,7 +149,6 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   bool isQuick = false;
   bool skipsErrors = false;
   std::optional<double> budget;
-  std::optional<int> interleaved;
   std::optional<double> gigabytes;
   CLI::App app("Compare methods to draw translucent geometry: time, memory, error.", ProgramName);
   app.footer(Examples);
@@ -161,7 +160,8 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
     "Frames to time of each method; default 9, an odd number for a median that is one of them");
   group.AddNumber("--budget", budget, 0.0, OptionGroup::Unbounded, "SECONDS",
     "Time after which a method gets no more frames of a scene; default 20");
-  group.AddInteger("--interleave", interleaved, 0, OptionGroup::LargestInteger, "N",
+  group.AddInteger("--interleave", options.Settings.InterleavedSegments, 0,
+    OptionGroup::LargestInteger, "N",
     "Segments up to which the methods of a scene take turns; default 500000");
   group.AddNumber("--memory", gigabytes, 0.0, OptionGroup::Unbounded, "GB",
     "Memory that a method may need; default: three quarters of the machine's");
@@ -194,7 +194,6 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   }
   options.Settings.Budget = budget.value_or(isQuick ? QuickBudget : options.Settings.Budget);
   options.Settings.FindsErrors = !skipsErrors;
-  options.Settings.InterleavedSegments = interleaved.value_or(options.Settings.InterleavedSegments);
   options.Settings.Memory = gigabytes ? 1e9 * *gigabytes : 0.75 * GetMemoryOfMachine();
   Complete(options, isQuick);
   return options;

@@ -40,7 +40,7 @@ struct MeasurementSettings
 
   /** Segments up to which the methods of a scene share a window and take turns. Each method has
    * larger scenes alone, and what it held is released before the next one begins. */
-  vtkIdType InterleavedSegments = 500000;
+  int InterleavedSegments = 500000;
 
   /** Bytes that a method may take. It is skipped where an estimate says that it needs more, and is
    * not compared where the reference does. */
