@@ -34,9 +34,11 @@ static_assert(sizeof(vtkIdType) == 8, "fragment counts need VTK_USE_64BIT_IDS");
 
 vtkIdType GetHeadsBytes(const std::array<int, 2>& tileSize)
 {
-  const vtkIdType pixels = static_cast<vtkIdType>(tileSize[0]) * tileSize[1];
+  const auto area = [](const std::array<int, 2>& size)
+  { return static_cast<vtkIdType>(size[0]) * size[1]; };
   return static_cast<vtkIdType>(sizeof(vtkFragmentLists::Counters)) +
-    (pixels + vtkFragmentLists::GetNumberOfBlocks(tileSize)) * vtkFragmentLists::BytesPerPixel;
+    (area(tileSize) + area(vtkFragmentLists::GetBlocks(tileSize))) *
+    vtkFragmentLists::BytesPerPixel;
 }
 
 /** Maps a whole buffer, if there is one, for the life of the object. */
@@ -103,10 +105,10 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImpor
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFragmentLists::GetNumberOfBlocks(const std::array<int, 2>& tileSize)
+std::array<int, 2> vtkFragmentLists::GetBlocks(const std::array<int, 2>& tileSize)
 {
   const auto count = [](int pixels) { return (pixels + BlockSide - 1) / BlockSide; };
-  return static_cast<vtkIdType>(count(tileSize[0])) * count(tileSize[1]);
+  return { { count(tileSize[0]), count(tileSize[1]) } };
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ public:
   static constexpr int BlockSide = 16;
   static constexpr std::uint32_t BlockHasFragments = 1u;
   static constexpr std::uint32_t BlockHasTies = 2u;
-  static vtkIdType GetNumberOfBlocks(const std::array<int, 2>& tileSize);
+  static std::array<int, 2> GetBlocks(const std::array<int, 2>& tileSize); ///< columns and rows
   ///@}
 
   /** Elements of LongLists for each list, before those of the samples. */

@@ -27,6 +27,7 @@
 #include "vtkSegmentTablesDec.h"
 #include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
+#include "vtkSquarePoints.h"
 #include "vtkTangentDec.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -51,11 +52,11 @@ std::string GetViewDefinitions(const vtkPictureView& view)
 
 //------------------------------------------------------------------------------
 // OpenGL 4.3 does not ask for storage buffers in vertex shaders. Without, all pixels are drawn.
-bool CanReadBlocks()
+bool CanDrawBlocks()
 {
   GLint buffers = 0;
   glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &buffers);
-  return buffers > 0;
+  return buffers > 0 && vtkGetLargestSquarePoint() >= vtkFragmentLists::BlockSide;
 }
 }
 
@@ -102,7 +103,7 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
       setMoreUniforms(program);
     }
   };
-  if (blocks == 0 || !CanReadBlocks())
+  if (blocks == 0 || !CanDrawBlocks())
   {
     this->Stage.Draw(window, source, setUniforms);
     return;
@@ -111,16 +112,11 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
   vtkShaderProgram::Substitute(
     vertexShader, "//VTK::Pellucid::Definitions", definitions + blockDefinitions.GetText());
   vtkShaderProgram::Substitute(vertexShader, "//VTK::Pellucid::Lists", vtkFragmentListsDec);
-  this->Stage.DrawQuads(window,
-    static_cast<GLsizei>(vtkFragmentLists::GetNumberOfBlocks(tile.Size)), vertexShader, source,
-    [&](vtkShaderProgram* program)
-    {
-      std::array<int, 4> viewport{};
-      window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
-      program->SetUniform2i("pellucidViewportOrigin", viewport.data());
-      program->SetUniform2i("pellucidViewportSize", viewport.data() + 2);
-      setUniforms(program);
-    });
+  const std::array<int, 2> grid = vtkFragmentLists::GetBlocks(tile.Size);
+  vtkOpenGLState::ScopedglViewport viewportSaver(window->GetState());
+  window->GetState()->vtkglViewport(tile.Origin[0], tile.Origin[1],
+    grid[0] * vtkFragmentLists::BlockSide, grid[1] * vtkFragmentLists::BlockSide);
+  this->Stage.DrawPoints(window, grid[0] * grid[1], vertexShader, source, setUniforms);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkSquarePoints.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,12 +21,12 @@ void vtkStageDraw::Draw(
 }
 
 //------------------------------------------------------------------------------
-void vtkStageDraw::DrawQuads(vtkOpenGLRenderWindow* window, GLsizei quads,
+void vtkStageDraw::DrawPoints(vtkOpenGLRenderWindow* window, GLsizei points,
   const std::string& vertexShader, const std::string& fragmentShader,
   const SetUniforms& setUniforms)
 {
-  this->Run(window, vertexShader, fragmentShader, setUniforms,
-    [quads] { glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, quads); });
+  this->Run(
+    window, vertexShader, fragmentShader, setUniforms, [points] { vtkDrawPoints(0, points); });
 }
 
 //------------------------------------------------------------------------------

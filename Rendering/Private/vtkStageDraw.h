@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws the whole viewport, or quads in it, with a fragment shader of ours: how every stage that
- * works on pixels, or on elements of a buffer, runs. Needs a current OpenGL 4.3 context.
+ * Draws the whole viewport, or point sprites in it, with a fragment shader of ours: how every stage
+ * that works on pixels, or on elements of a buffer, runs. Needs a current OpenGL 4.3 context.
  */
 
 #ifndef vtkStageDraw_h
@@ -30,13 +30,13 @@ public:
 
   ///@{
   /**
-   * Draw one triangle over the viewport, or as many quads as `vertexShader` places by their
-   * gl_InstanceID, without blending, depth test and culling. Viewport, scissor and framebuffer are
+   * Draw one triangle over the viewport, or as many point sprites as `vertexShader` places by their
+   * gl_VertexID, without blending, depth test and culling. Viewport, scissor and framebuffer are
    * those of the caller; a shader that does not compile is VTK's error, and draws nothing.
    */
   void Draw(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
     const SetUniforms& setUniforms);
-  void DrawQuads(vtkOpenGLRenderWindow* window, GLsizei quads, const std::string& vertexShader,
+  void DrawPoints(vtkOpenGLRenderWindow* window, GLsizei points, const std::string& vertexShader,
     const std::string& fragmentShader, const SetUniforms& setUniforms);
   ///@}
 

@@ -30,7 +30,7 @@ void pellucidAppend(vec4 color, float depth)
     uint next = atomicExchange(pellucidHeads[pixel], node);
     if (next == 0u)
     {
-      pellucidFlagBlock(ivec2(gl_FragCoord.xy), PELLUCID_BLOCK_HAS_FRAGMENTS);
+      pellucidHeads[pellucidBlockOfPixel(ivec2(gl_FragCoord.xy))] = PELLUCID_BLOCK_HAS_FRAGMENTS;
     }
     pellucidLinks[node] = uvec2(next, floatBitsToUint(pellucidStoredDepth(depth)));
     pellucidColors[node] = pellucidPackColor(color.rgb, color.a);

@@ -51,9 +51,10 @@ int pellucidPixelIndex(ivec2 windowPixel)
   return inside ? pixel.y * pellucidTileSize.x + pixel.x : -1;
 }
 
-int pellucidBlockColumns()
+// Columns and rows
+ivec2 pellucidBlocks()
 {
-  return (pellucidTileSize.x + PELLUCID_BLOCK_SIDE - 1) / PELLUCID_BLOCK_SIDE;
+  return (pellucidTileSize + PELLUCID_BLOCK_SIDE - 1) / PELLUCID_BLOCK_SIDE;
 }
 
 // Where pellucidHeads has the flags of a block
@@ -62,12 +63,9 @@ int pellucidBlockIndex(int block)
   return pellucidTileSize.x * pellucidTileSize.y + block;
 }
 
-void pellucidFlagBlock(ivec2 windowPixel, uint flag)
+// Where pellucidHeads has the flags of a pixel's block
+int pellucidBlockOfPixel(ivec2 windowPixel)
 {
-  ivec2 block = (windowPixel - pellucidTileOrigin) / PELLUCID_BLOCK_SIDE;
-  int index = pellucidBlockIndex(block.y * pellucidBlockColumns() + block.x);
-  if ((pellucidHeads[index] & flag) == 0u)
-  {
-    atomicOr(pellucidHeads[index], flag);
-  }
+  uvec2 block = uvec2(windowPixel - pellucidTileOrigin) / uint(PELLUCID_BLOCK_SIDE);
+  return pellucidBlockIndex(int(block.y) * pellucidBlocks().x + int(block.x));
 }

@@ -243,7 +243,7 @@ void main()
     if (hasTies)
     {
       pellucidHasTies = 1u;
-      pellucidFlagBlock(ivec2(gl_FragCoord.xy), PELLUCID_BLOCK_HAS_TIES);
+      atomicOr(pellucidHeads[pellucidBlockOfPixel(ivec2(gl_FragCoord.xy))], PELLUCID_BLOCK_HAS_TIES);
       sorted |= PELLUCID_TIED;
     }
   }
