@@ -23,6 +23,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderEdit.h"
 #include "vtkShaderProgram.h"
+#include "vtkSquarePoints.h"
 
 #include "vtkRoundedConeDecFS.h"
 #include "vtkRoundedConeExitDecFS.h"
@@ -107,6 +108,14 @@ std::array<double, 3> TransformPoint(const double point[4], vtkMatrix4x4* transp
   return { { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] } };
 }
 
+// Of OpenGL and not of the renderer: render passes may draw to something of another size.
+void GetViewport(vtkRenderer* renderer, int viewport[4])
+{
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+}
+
 // Coefficients of the plane whose value at a point of view coordinates is that clip coordinate.
 std::array<double, 4> ClipRow(vtkMatrix4x4* viewToClip, int column)
 {
@@ -117,35 +126,6 @@ std::array<double, 4> ClipRow(vtkMatrix4x4* viewToClip, int column)
   }
   return row;
 }
-}
-
-//------------------------------------------------------------------------------
-template <typename Value>
-bool vtkRoundedConeMapper::BufferTexture::Upload(
-  vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components)
-{
-  this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType(); // or it keeps those of the last upload
-  int type = std::is_same<Value, float>::value ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
-  if (std::is_same<Value, int>::value)
-  {
-    // VTK would make floats of them.
-    type = VTK_INT;
-    this->Texture->SetInternalFormat(GL_RGBA32I);
-  }
-  this->Current =
-    this->Buffer->Upload(values, count * components, vtkOpenGLBufferObject::TextureBuffer) &&
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(count), components, type, this->Buffer);
-  return this->Current;
-}
-
-//------------------------------------------------------------------------------
-void vtkRoundedConeMapper::BufferTexture::Release(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Buffer->ReleaseGraphicsResources();
-  this->Current = false;
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +149,7 @@ vtkRoundedConeMapper::~vtkRoundedConeMapper() = default;
 void vtkRoundedConeMapper::SetNodes(const vtkTrajectoryNodes* nodes)
 {
   this->Nodes = nodes;
+  this->Groups.Build(*nodes);
   this->NodeTexture.Current = false;
   this->RemainderTexture.Current = false;
   this->ShaderVariantTime.Modified();
@@ -225,9 +206,9 @@ void vtkRoundedConeMapper::SetSegments(std::vector<vtkTrajectorySegmentNodes::No
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkRoundedConeMapper::BufferTexture*> vtkRoundedConeMapper::GetTextures()
+std::vector<vtkBufferTexture*> vtkRoundedConeMapper::GetTextures()
 {
-  std::vector<BufferTexture*> textures = { &this->NodeTexture };
+  std::vector<vtkBufferTexture*> textures = { &this->NodeTexture };
   if (!this->Nodes->GetRemainders().empty())
   {
     textures.push_back(&this->RemainderTexture);
@@ -256,8 +237,8 @@ void vtkRoundedConeMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     renderWindow->PushContext();
   }
-  for (BufferTexture* texture : { &this->NodeTexture, &this->RemainderTexture, &this->ColorTexture,
-         &this->OpacityTexture, &this->SegmentTexture })
+  for (vtkBufferTexture* texture : { &this->NodeTexture, &this->RemainderTexture,
+         &this->ColorTexture, &this->OpacityTexture, &this->SegmentTexture })
   {
     texture->Release(window);
   }
@@ -319,6 +300,7 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
 
   this->UpdateMatrices(renderer, actor);
   this->UpdateCutOpen();
+  this->UpdateShapes(renderer);
 }
 
 //------------------------------------------------------------------------------
@@ -397,8 +379,8 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
     state->vtkglDepthMask(GL_TRUE);
   }
 
-  const std::vector<BufferTexture*> textures = this->GetTextures();
-  for (BufferTexture* texture : textures)
+  const std::vector<vtkBufferTexture*> textures = this->GetTextures();
+  for (vtkBufferTexture* texture : textures)
   {
     texture->Texture->Activate();
   }
@@ -407,31 +389,43 @@ void vtkRoundedConeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* acto
     this->ColorMap->Load(renderer);
   }
 
-  vtkOpenGLHelper& helper = this->Primitives[PrimitiveTris];
-  this->UpdateShaders(helper, renderer, actor);
-  if (helper.Program)
-  {
-    helper.IBO->Bind();
-    this->DrawLeaves(helper.Program, renderer, actor);
-    helper.IBO->Release();
-  }
+  this->DrawShape(vtkNodeGroups::Shape::Sprite, renderer, actor);
+  this->DrawShape(vtkNodeGroups::Shape::Quad, renderer, actor);
   vtkOpenGLCheckErrorMacro("failed after drawing rounded cones");
 
   if (this->Source == ColorSource::Texture)
   {
     this->ColorMap->PostRender(renderer);
   }
-  for (BufferTexture* texture : textures)
+  for (vtkBufferTexture* texture : textures)
   {
     texture->Texture->Deactivate();
   }
 }
 
 //------------------------------------------------------------------------------
-// Neighbours that are displayed alike together.
-void vtkRoundedConeMapper::DrawLeaves(
-  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
+// To the superclass, both are surfaces.
+vtkOpenGLHelper& vtkRoundedConeMapper::GetHelper(vtkNodeGroups::Shape shape)
 {
+  return this
+    ->Primitives[shape == vtkNodeGroups::Shape::Sprite ? PrimitiveTriStrips : PrimitiveTris];
+}
+
+//------------------------------------------------------------------------------
+// Neighbours that are displayed alike together.
+void vtkRoundedConeMapper::DrawShape(
+  vtkNodeGroups::Shape shape, vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->Groups.Has(shape))
+  {
+    return;
+  }
+  vtkOpenGLHelper& helper = this->GetHelper(shape);
+  this->UpdateShaders(helper, renderer, actor);
+  if (!helper.Program)
+  {
+    return;
+  }
   vtkInformation* keys = actor->GetPropertyKeys();
   const int* drawn = keys ? keys->Get(DRAWN_NODES()) : nullptr;
   const vtkIdType begin = drawn ? drawn[0] : 0;
@@ -445,22 +439,37 @@ void vtkRoundedConeMapper::DrawLeaves(
       leaves.begin();
     if (display.IsDrawn(renderer->GetSelector() != nullptr))
     {
-      vtkSetBlockDisplay(program, display, actor);
-      this->DrawNodes(std::max(begin, this->Nodes->GetFirstNode(first)),
+      vtkSetBlockDisplay(helper.Program, display, actor);
+      this->DrawNodes(shape, std::max(begin, this->Nodes->GetFirstNode(first)),
         std::min(end, this->Nodes->GetFirstNode(last)));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRoundedConeMapper::DrawNodes(vtkIdType first, vtkIdType last)
+void vtkRoundedConeMapper::DrawNodes(vtkNodeGroups::Shape shape, vtkIdType first, vtkIdType last)
 {
-  for (; first < last; first += QuadsPerDraw)
+  if (shape == vtkNodeGroups::Shape::Sprite)
   {
-    const vtkIdType quads = std::min(QuadsPerDraw, last - first);
-    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT,
-      nullptr, static_cast<GLint>(4 * first));
+    this->GetHelper(shape).VAO->Bind(); // new shaders have released it
+    this->Groups.ForEach(shape, first, last,
+      [](vtkIdType begin, vtkIdType end)
+      { vtkDrawPoints(static_cast<GLint>(begin), static_cast<GLsizei>(end - begin)); });
+    return;
   }
+  vtkOpenGLIndexBufferObject* indices = this->GetHelper(shape).IBO;
+  indices->Bind();
+  this->Groups.ForEach(shape, first, last,
+    [](vtkIdType begin, vtkIdType end)
+    {
+      for (; begin < end; begin += QuadsPerDraw)
+      {
+        const vtkIdType quads = std::min(QuadsPerDraw, end - begin);
+        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT,
+          nullptr, static_cast<GLint>(4 * begin));
+      }
+    });
+  indices->Release();
 }
 
 //------------------------------------------------------------------------------
@@ -476,7 +485,11 @@ void vtkRoundedConeMapper::GetShaderTemplate(
   Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
-  shaders[vtkShader::Vertex]->SetSource(vtkRoundedConeVS);
+  const bool isSprite = this->LastBoundBO == &this->GetHelper(vtkNodeGroups::Shape::Sprite);
+  std::string source = vtkRoundedConeVS;
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Shape::Dec", "#define SPRITES " + std::to_string(isSprite ? 1 : 0));
+  shaders[vtkShader::Vertex]->SetSource(source);
   shaders[vtkShader::Geometry]->SetSource("");
 }
 
@@ -606,7 +619,7 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   vtkShaderProgram* program = cellBO.Program;
-  for (const BufferTexture* texture : this->GetTextures())
+  for (const vtkBufferTexture* texture : this->GetTextures())
   {
     program->SetUniformi(texture->Sampler, texture->Texture->GetTextureUnit());
   }
@@ -653,11 +666,8 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkMatrix4x4> vtkRoundedConeMapper::GetPixelToView(vtkRenderer* renderer)
 {
-  // Of OpenGL and not of the renderer: render passes may draw to something of another size.
   int viewport[4];
-  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-    ->GetState()
-    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  GetViewport(renderer, viewport);
   vtkNew<vtkMatrix4x4> pixelToClip;
   for (int i = 0; i < 2; ++i)
   {
@@ -671,25 +681,56 @@ vtkSmartPointer<vtkMatrix4x4> vtkRoundedConeMapper::GetPixelToView(vtkRenderer* 
 }
 
 //------------------------------------------------------------------------------
-void vtkRoundedConeMapper::SetFrustum(vtkShaderProgram* program)
+std::array<vtkNodeGroups::Plane, 6> vtkRoundedConeMapper::GetFrustum() const
 {
   const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
-  float planes[6][4];
+  std::array<vtkNodeGroups::Plane, 6> frustum;
   for (int i = 0; i < 6; ++i)
   {
     const std::array<double, 4> row = ClipRow(this->ViewToClip, i / 2);
-    double plane[4];
+    vtkNodeGroups::Plane& plane = frustum[i];
     for (int j = 0; j < 4; ++j)
     {
       plane[j] = w[j] + (i % 2 ? row[j] : -row[j]);
     }
     const double norm = std::hypot(plane[0], plane[1], plane[2]);
-    for (int j = 0; j < 4; ++j)
+    for (double& coefficient : plane)
     {
-      planes[i][j] = static_cast<float>(norm > 0.0 ? plane[j] / norm : 0.0);
+      coefficient = norm > 0.0 ? coefficient / norm : 0.0;
     }
   }
-  program->SetUniform4fv("frustumVC", 6, planes);
+  return frustum;
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::UpdateShapes(vtkRenderer* renderer)
+{
+  int viewport[4];
+  GetViewport(renderer, viewport);
+  vtkNodeGroups::View view;
+  view.NodeToView = this->NodeToView;
+  view.Frustum = this->GetFrustum();
+  view.Parallel = this->Parallel;
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::array<double, 4> row = ClipRow(this->ViewToClip, i);
+    view.PixelsPerUnit =
+      std::max(view.PixelsPerUnit, 0.5 * viewport[2 + i] * std::hypot(row[0], row[1], row[2]));
+  }
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    const std::array<double, 3> point = TransformPoint(clip, this->ClipToView);
+    view.LargestSlope =
+      std::max(view.LargestSlope, std::hypot(point[0], point[1]) / std::abs(point[2]));
+  }
+  // With samples, a sprite covers some that the quad does not. The width of slanted segments is
+  // more than that of their group.
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
+  view.HasSprites =
+    samples == 0 && vtkGetLargestSquarePoint() >= 1.5 * vtkNodeGroups::LargestSprite;
+  this->Groups.Update(view);
 }
 
 //------------------------------------------------------------------------------
@@ -711,7 +752,20 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("pixelVCMatrix", this->GetPixelToView(renderer));
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
-  this->SetFrustum(program);
+  float frustum[6][4];
+  for (int i = 0; i < 6; ++i)
+  {
+    const vtkNodeGroups::Plane plane = this->GetFrustum()[i];
+    std::copy(plane.begin(), plane.end(), frustum[i]);
+  }
+  program->SetUniform4fv("frustumVC", 6, frustum);
+  if (program->IsUniformUsed("viewportSize"))
+  {
+    int viewport[4];
+    GetViewport(renderer, viewport);
+    const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+    program->SetUniform2f("viewportSize", size);
+  }
 }
 
 VTK_ABI_NAMESPACE_END

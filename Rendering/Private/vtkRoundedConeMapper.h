@@ -7,8 +7,9 @@
  * The part of vtkTrajectoryMapper that issues OpenGL calls for lines and vertices. It takes lights,
  * material, the hooks of render passes and the shader cache from vtkOpenGLPolyDataMapper, and
  * replaces the geometry: a vertex shader fetches the nodes from buffer textures and makes one
- * view-aligned quad for each segment, the fragment shader intersects the view ray with it
- * (Gross and Gumhold 2021, section 5). See glsl/vtkRoundedConeVS.glsl.
+ * view-aligned quad for each segment, or a point sprite where that is small (vtkNodeGroups); the
+ * fragment shader intersects the view ray with it (Gross and Gumhold 2021, section 5). See
+ * glsl/vtkRoundedConeVS.glsl.
  *
  * Graphics memory: 16 bytes for each node, 32 where it has a remainder, 4 for its colour, or 8 for
  * a texture coordinate, and 4 for its opacity factor.
@@ -17,12 +18,12 @@
 #ifndef vtkRoundedConeMapper_h
 #define vtkRoundedConeMapper_h
 
+#include "vtkBufferTexture.h"
 #include "vtkMatrix4x4.h" // for camera and actor
 #include "vtkNew.h"
-#include "vtkOpenGLBufferObject.h" // for buffer textures
+#include "vtkNodeGroups.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLTexture.h" // for the colour map
-#include "vtkTextureObject.h" // for buffer textures
 #include "vtkTrajectoryNodes.h"
 #include "vtkTrajectorySegmentNodes.h"
 
@@ -104,54 +105,40 @@ private:
   vtkRoundedConeMapper(const vtkRoundedConeMapper&) = delete;
   void operator=(const vtkRoundedConeMapper&) = delete;
 
-  /** An array of values that shaders fetch by index. */
-  struct BufferTexture
-  {
-    explicit BufferTexture(const char* sampler)
-      : Sampler(sampler)
-    {
-    }
-
-    const char* Sampler; ///< its name in the shaders
-    vtkNew<vtkTextureObject> Texture;
-    vtkNew<vtkOpenGLBufferObject> Buffer;
-    bool Current = false; ///< what the graphics memory holds is what shall be drawn
-
-    template <typename Value>
-    bool Upload(
-      vtkOpenGLRenderWindow* window, const Value* values, std::size_t count, int components);
-    void Release(vtkWindow* window);
-  };
-
   /** The buffer textures that what is drawn now needs. */
-  std::vector<BufferTexture*> GetTextures();
+  std::vector<vtkBufferTexture*> GetTextures();
 
   void ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
   void UpdateCutOpen();
-  void DrawLeaves(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
-  void DrawNodes(vtkIdType first, vtkIdType last);
+  void UpdateShapes(vtkRenderer* renderer);
+  std::array<vtkNodeGroups::Plane, 6> GetFrustum() const;
+  void DrawShape(vtkNodeGroups::Shape shape, vtkRenderer* renderer, vtkActor* actor);
+  void DrawNodes(vtkNodeGroups::Shape shape, vtkIdType first, vtkIdType last);
   void SetClipParameters(vtkShaderProgram* program);
-  void SetFrustum(vtkShaderProgram* program);
+
+  /** Each shape has a shader program of its own. */
+  vtkOpenGLHelper& GetHelper(vtkNodeGroups::Shape shape);
 
   /** From window coordinates to the point of the near plane, transposed. */
   vtkSmartPointer<vtkMatrix4x4> GetPixelToView(vtkRenderer* renderer);
 
   const vtkTrajectoryNodes* Nodes = nullptr;
-  BufferTexture NodeTexture{ "nodes" };
-  BufferTexture RemainderTexture{ "nodeRemainders" };
+  vtkNodeGroups Groups;
+  vtkBufferTexture NodeTexture{ "nodes" };
+  vtkBufferTexture RemainderTexture{ "nodeRemainders" };
 
   ColorSource Source = ColorSource::Property;
   std::vector<unsigned char> DirectColors;
   std::vector<float> TextureCoordinates;
-  BufferTexture ColorTexture{ "nodeColors" };
+  vtkBufferTexture ColorTexture{ "nodeColors" };
   vtkNew<vtkOpenGLTexture> ColorMap;
 
   std::vector<float> Opacities;
-  BufferTexture OpacityTexture{ "nodeOpacities" };
+  vtkBufferTexture OpacityTexture{ "nodeOpacities" };
   std::vector<vtkTrajectorySegmentNodes::Node> Segments;
-  BufferTexture SegmentTexture{ "nodeSegments" };
+  vtkBufferTexture SegmentTexture{ "nodeSegments" };
 
   // transposed, as VTK's key matrices are
   vtkNew<vtkMatrix4x4> WorldToView;

@@ -1,4 +1,5 @@
 //VTK::System::Dec
+//VTK::Shape::Dec
 
 // SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 // SPDX-License-Identifier: BSD-3-Clause
@@ -9,13 +10,19 @@
 // in the plane perpendicular to the middle ray, which has no special case for the order of the radii.
 // No vertex attribute is read: gl_VertexID is 4 i + corner.
 //
+// With SPRITES, one point sprite for each node i instead, which gl_VertexID is: the square of whole
+// pixels around those that the quad covers. vtkNodeGroups says when.
+//
 // Frames: VC view coordinates; LC the frame of a segment: origin in its middle, x along its axis,
 // y in the plane of axis and view ray, z across.
 
 uniform mat4 VCDCMatrix;
 uniform mat4 pixelVCMatrix;  // window coordinates to VC
-uniform vec4 frustumVC[6];  // inward planes, unit normals
 uniform float perspective;  // 1, or 0 for parallel projection
+#if SPRITES
+uniform vec2 viewportSize;  // in pixels
+#endif
+uniform vec4 frustumVC[6];  // inward planes, unit normals
 
 flat out vec3 centerVC;      // the LC origin
 flat out vec3 axisVC;        // the LC x axis
@@ -50,6 +57,7 @@ const float MARGIN = 0.001;
 const float MARGIN_PIXELS = 0.01;
 
 const vec4 NO_PLANE = vec4(0.0, 0.0, 0.0, -1e30);
+const vec4 NOTHING_PLANE = vec4(0.0, 0.0, 0.0, 1.0);
 
 float cross2(vec2 a, vec2 b)
 {
@@ -147,18 +155,76 @@ float coneDistance(vec2 p, float halfLength, float middleRadius, float slope)
   return length(p - vec2(ball, 0.0)) - (middleRadius - slope * ball);
 }
 
+// The quad, perpendicular to the plane of axis and eye.
+struct Quad
+{
+  vec3 foot;    // where it is 0 across: on the middle ray, or in parallel projection the LC origin
+  vec3 across;  // unit direction in the plane of axis and eye
+  vec3 wide;    // unit direction perpendicular to it
+  vec2 sides;   // the interval across
+  vec2 widths;  // half widths at its ends
+};
+
+// In clip coordinates; corner (0, 0) to (1, 1). The hit points may lie on the other side of the near
+// plane than the quad: clip at the eye only.
+vec4 quadCorner(Quad quad, vec2 corner)
+{
+  float across = mix(quad.sides.x, quad.sides.y, corner.x);
+  float aside = mix(quad.widths.x, quad.widths.y, corner.x) * (2.0 * corner.y - 1.0);
+  vec4 position = VCDCMatrix * vec4(quad.foot + across * quad.across + aside * quad.wide, 1.0);
+  return vec4(position.xy, 0.0, position.w);
+}
+
+#if SPRITES
+// The pixels whose centres a quad in the view may cover
+void drawSprite(Quad quad)
+{
+  vec2 low = viewportSize;
+  vec2 high = vec2(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec4 position = quadCorner(quad, vec2(i & 1, i >> 1));
+    vec2 pixel = (0.5 + 0.5 * position.xy / position.w) * viewportSize;
+    low = min(low, pixel);
+    high = max(high, pixel);
+  }
+  low = ceil(max(low, 0.0) - 0.5);
+  high = floor(min(high, viewportSize) + 0.5);
+  vec2 size = high - low;
+  if (min(size.x, size.y) < 1.0)
+  {
+    startPlaneLC = NOTHING_PLANE;
+    return;
+  }
+  // A square, shifted so that it touches as few blocks of 4 x 4 pixels as it can: software renderers
+  // shade whole blocks.
+  gl_PointSize = max(size.x, size.y);
+  vec2 outside = mod(low + gl_PointSize, 4.0);
+  low -= min(min(gl_PointSize - size, outside), mod(low, 4.0));
+  // OpenGL drops points whose centre is outside the view.
+  vec2 center = min(low + 0.5 * gl_PointSize, viewportSize);
+  gl_Position = vec4(2.0 * center / viewportSize - 1.0, 0.0, 1.0);
+}
+#endif
+
 void main()
 {
+  // What is not drawn shrinks to a point, or a sprite of one pixel without a segment. Outside the view
+  // it would be clipped, and Mesa's software driver clips all of a batch one by one if it has to clip any.
+#if SPRITES
+  int node = gl_VertexID;
+  gl_Position = vec4(-1.0, -1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
+#else
   int node = gl_VertexID >> 2;
   vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
-  // What is not drawn shrinks to a point. Outside the view it would be clipped, and Mesa's software
-  // driver clips all quads of a batch one by one if it has to clip any.
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
   centerVC = vec3(0.0);
   axisVC = vec3(0.0);
   sideVC = vec3(0.0);
   coneShape = vec3(0.0);
-  startPlaneLC = NO_PLANE;
+  startPlaneLC = NOTHING_PLANE;
   endPlaneLC = NO_PLANE;
   startJointVC = vec3(0.0);
   endJointVC = vec3(0.0);
@@ -237,6 +303,7 @@ void main()
   float middleRadius = 0.5 * (r1 + r2);
   float slope = len > 0.0 ? (r1 - r2) / len : 0.0;
   coneShape = vec3(halfLength, middleRadius, slope);
+  startPlaneLC = NO_PLANE;
 
   mat3 toLC = transpose(mat3(axisVC, sideVC, wide));
   if (joinedBefore)
@@ -297,22 +364,26 @@ void main()
     extent2 = parallelExtent(end2, across);
   }
 
+#if !SPRITES
   if (whole)
   {
     // the quad is the view itself
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
     return;
   }
+#endif
   vec2 sides = vec2(min(extent1.x, extent2.x), max(extent1.y, extent2.y));
   float eyeToPixels = perspective > 0.5 ? -pixelVCMatrix[3].z : 1.0;
   float margin = MARGIN * max(extent1.z, extent2.z) +
     MARGIN_PIXELS * max(length(pixelVCMatrix[0].xyz), length(pixelVCMatrix[1].xyz)) / eyeToPixels;
   vec2 widths = trapezoid(extent1, extent2, sides) + margin;
   sides += vec2(-margin, margin);
-  float along = mix(sides.x, sides.y, corner.x) * planeDistance - foot;
-  float aside = mix(widths.x, widths.y, corner.x) * planeDistance * (2.0 * corner.y - 1.0);
-  vec3 quadLC = vec3(across * along, aside);
-  vec4 position = VCDCMatrix * vec4(centerVC + transpose(toLC) * quadLC, 1.0);
-  // The hit points may lie on the other side of the near plane than the quad: clip at the eye only.
-  gl_Position = vec4(position.xy, 0.0, position.w);
+  vec3 acrossVC = across.x * axisVC + across.y * sideVC;
+  Quad quad =
+    Quad(centerVC - foot * acrossVC, acrossVC, wide, planeDistance * sides, planeDistance * widths);
+#if SPRITES
+  drawSprite(quad);
+#else
+  gl_Position = quadCorner(quad, corner);
+#endif
 }

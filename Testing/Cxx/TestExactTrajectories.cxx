@@ -4,6 +4,7 @@
 // Translucent trajectories, alone and among surfaces, glyphs and opaque objects, are drawn as the
 // double-precision reference draws them, with the same bits on every run and in any order.
 #include "HelixScene.h"
+#include "Picture.h"
 
 #include "vtkLookupTable.h"
 #include "vtkPlane.h"
@@ -108,6 +109,78 @@ bool TestThinTubes()
     passed &= Compare(scene, "thin tubes, view " + std::to_string(view));
   }
   return passed;
+}
+
+vtkSmartPointer<vtkPolyData> MakeBalls(int count)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-2.0, 2.0);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = place(random);
+    const double y = place(random);
+    vertices->InsertNextCell({ points->InsertNextPoint(x, y, place(random)) });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  return data;
+}
+
+// Small segments are point sprites, near ones quads, and some of both lie across the edges of the
+// view.
+bool TestSprites()
+{
+  bool passed = true;
+  for (const bool parallel : { false, true })
+  {
+    for (const double angle : { 30.0, 110.0 })
+    {
+      SphereScene scene(260, 200, 0, 0, 0);
+      AddLines(scene, MakeLines(80, 120, 0), 0.015, 0.4);
+      AddLines(scene, MakeBalls(2000), 0.025, 0.4);
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetParallelProjection(parallel);
+      camera->SetParallelScale(0.02 * angle);
+      camera->SetViewAngle(angle);
+      camera->SetFocalPoint(0.0, 0.0, 0.0);
+      camera->SetPosition(0.5, 0.3, 200.0 / angle - 1.5);
+      camera->SetWindowCenter(0.4, -0.3);
+      scene.Renderer->ResetCameraClippingRange();
+      passed &= Compare(scene,
+        std::string("sprites, ") + (parallel ? "parallel, " : "perspective, ") +
+          std::to_string(angle));
+    }
+  }
+  return passed;
+}
+
+// Sprites and blocks of pixels do not care where in the window the viewport lies, nor that it is no
+// multiple of them.
+bool TestViewportInsideTheWindow()
+{
+  const int width = 203;
+  const int height = 149;
+  const auto render = [&](int x, int y)
+  {
+    SphereScene scene(width + 2 * x, height + 2 * y, 0, 3, 0);
+    AddLines(scene, MakeLines(60, 200, 0), 0.01, 0.4);
+    const double w = width + 2 * x;
+    const double h = height + 2 * y;
+    scene.Renderer->SetViewport(x / w, y / h, (x + width) / w, (y + height) / h);
+    scene.Renderer->ResetCamera(-1.5, 1.5, -1.0, 1.0, -1.0, 1.0);
+    vtkTransparencyInstaller::Install(scene.Renderer);
+    scene.Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    scene.Window->GetRGBACharPixelData(x, y, x + width - 1, y + height - 1, 0, pixels);
+    return Picture{ width, height,
+      { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() } };
+  };
+  // Positions in the window are rounded otherwise.
+  return Check(render(0, 0).GetLargestDifference(render(37, 21)) <= 1,
+    "another picture where the viewport does not begin in a corner");
 }
 
 /** A line that turns nearly back, on whose joint plane its two tubes meet in a seam above the x
@@ -235,6 +308,8 @@ int TestExactTrajectories(int, char*[])
   passed &= TestEyeInsideATube();
   passed &= TestDenseJoints();
   passed &= TestThinTubes();
+  passed &= TestSprites();
+  passed &= TestViewportInsideTheWindow();
   passed &= TestSeamOfASharpBend();
   passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
