@@ -16,15 +16,21 @@ def install(view):
         `view.GetClientSideObject().GetRenderer()`.
 
     Returns the vtkExactTransparencyPass that draws the renderer, for its parameters
-    (`memory_limit`) and statistics (`statistics`); of a window or plotter the list of those of
-    its renderers. A second call returns the same passes. Raises TypeError for anything else.
+    (`memory_limit`) and statistics (`statistics`); of a plotter that of its active renderer, of a
+    window that of its first. Each renderer has a pass of its own, which a second call returns:
+    `[pellucid.install(renderer) for renderer in plotter.renderers]`. Raises TypeError for anything
+    else, and ValueError for a window without a renderer.
 
     Notebooks get the exact picture with PyVista's back end "static", and with "server" and "trame"
     while the server renders. What a browser renders itself (vtk.js; "client", "html", and
     `export_html`) is not exact, and lacks what add_lines() and add_points() add.
     """
-    passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers_of(view)]
-    return passes[0] if isinstance(view, vtkRenderer) else passes
+    renderers = renderers_of(view)
+    if not renderers:
+        raise ValueError("expected a window with a renderer, found none; add it first")
+    passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers]
+    active = getattr(view, "renderer", None)  # of a plotter
+    return passes[renderers.index(active) if active in renderers else 0]
 
 
 def uninstall(view):

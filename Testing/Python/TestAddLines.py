@@ -116,7 +116,7 @@ class TestPicture(ViewTest):
         self.assert_reference()
         transparency = pellucid.install(self.renderer)
         self.assertGreater(transparency.GetStatistics().GetLongestList(), 1)
-        self.assertEqual(pellucid.install(self.window), [transparency])
+        self.assertIs(pellucid.install(self.window), transparency)
         pellucid.uninstall(self.window)
         self.assertIsNone(self.renderer.GetPass())
 
