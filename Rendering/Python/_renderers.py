@@ -5,7 +5,7 @@
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from ._arguments import checked, class_name
+from ._arguments import checked, class_name, positive_pair
 from .vtkPellucidRendering import vtkReferenceRenderer, vtkTransparencyInstaller
 
 
@@ -43,14 +43,19 @@ def reference_picture(renderer, size=None):
     """The exact picture of a renderer, in double precision and without OpenGL.
 
     renderer: vtkRenderer. What vtkReferenceRenderer cannot draw, such as volumes, is left out.
-    size: width and height in pixels; default: those of the renderer in its window.
+    size: width and height in pixels; default: those of the renderer in its window, which has
+        rendered.
 
     Returns an array of float64, height x width x 4: red, green, blue and alpha in [0, 1], the top row
     first. Takes seconds for thousands of lines.
     """
-    width, height = checked(renderer, vtkRenderer).GetSize() if size is None else size
-    if width < 1 or height < 1:
-        raise ValueError(f"size: expected two positive integers, found {(width, height)}")
+    checked(renderer, vtkRenderer)
+    if size is None:
+        size = renderer.GetSize()
+        if 0 in size:
+            raise ValueError("size: the renderer has none before its window has rendered; give "
+                             "width and height")
+    width, height = positive_pair("size", size)
     reference = vtkReferenceRenderer()
     reference.SetRenderer(renderer)
     reference.SetSize(width, height)
