@@ -133,8 +133,7 @@ def _add(view, data, arguments, own, *, for_plotters=PLOTTER_ARGUMENTS, default_
     from ._plotters import add_to_plotter  # imports PyVista
     bar_title = scalars if scalars is None or isinstance(scalars, str) else ""
     render = arguments.pop("render", True)
-    actor = add_to_plotter(view, data, mapper, bar_title, arguments)
-    follow_importance(actor)
+    actor = add_to_plotter(view, data, mapper, bar_title, follow_importance, arguments)
     install(view.renderer)
     if render:
         view.render()

@@ -7,10 +7,11 @@ import pyvista
 from ._arguments import brief
 
 
-def add_to_plotter(plotter, data, mapper, bar_title, arguments):
+def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, arguments):
     """What PyVista sets on its own mapper goes over to this one, which then takes its place.
 
     bar_title: of the scalar bar, unless scalar_bar_args has one; None: the name of the active scalars.
+    follow_importance: called with the actor.
     """
     show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar)
     scalar_bar_args = arguments.pop("scalar_bar_args", {})
@@ -23,14 +24,15 @@ def add_to_plotter(plotter, data, mapper, bar_title, arguments):
     mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
     mapper.ShallowCopy(replaced)
     actor.SetMapper(mapper)
-    plotter.mapper = mapper
     maps_scalars = mapper.GetScalarVisibility() and mapper.GetColorModeAsString() == "MapScalars"
-    if show_scalar_bar and maps_scalars and bar_title is not None:
-        try:
+    try:
+        follow_importance(actor)
+        if show_scalar_bar and maps_scalars and bar_title is not None:
             plotter.add_scalar_bar(mapper=mapper, render=False, **{"title": bar_title, **scalar_bar_args})
-        except Exception:
-            plotter.remove_actor(actor, reset_camera=False, render=False)
-            raise
+    except Exception:
+        plotter.remove_actor(actor, reset_camera=False, render=False)
+        raise
+    plotter.mapper = mapper
     return actor
 
 
