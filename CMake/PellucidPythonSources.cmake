@@ -10,11 +10,12 @@ function (pellucid_install_python_sources destination)
   configure_file("${sources}/__init__.py.in" "${package}/__init__.py" @ONLY)
   set(files "${package}/__init__.py")
   foreach (file IN ITEMS
+      _adding.py
       _appearance.py
       _arguments.py
       _geometry.py
-      _lines.py
       _opacities.py
+      _plotters.py
       _properties.py
       _renderers.py
       ${ARGN})

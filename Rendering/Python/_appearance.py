@@ -5,12 +5,11 @@
 import numbers
 import re
 
-import numpy
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
 
-from ._arguments import finite_pair
-from ._geometry import leaves_of
+from ._arguments import brief, check_flag, check_number, check_string, finite_pair
+from ._geometry import array_names, leaves_of, listed, numbers_of
 
 RENDERER_ARGUMENTS = (
     "color", "scalars", "clim", "cmap", "opacity", "nan_color", "lighting", "ambient", "diffuse",
@@ -21,6 +20,32 @@ PLOTTER_ARGUMENTS = RENDERER_ARGUMENTS + (
     "interpolate_before_map", "label", "log_scale", "n_colors", "name", "nan_opacity", "preference",
     "render", "reset_camera", "rgb", "scalar_bar_args", "show_scalar_bar", "user_matrix")
 
+SURFACE_ARGUMENTS = PLOTTER_ARGUMENTS + (
+    "backface_params", "culling", "edge_color", "edge_opacity", "feature_angle", "line_width",
+    "metallic", "pbr", "roughness", "show_edges", "smooth_shading", "split_sharp_edges", "style",
+    "texture")
+
+
+def checked_appearance(data, arguments):
+    """What of these is the same for renderers and plotters, checked; PyVista checks the rest."""
+    for name in ("label", "name"):
+        check_string(name, arguments.get(name, ""))
+    for name in ("lighting", "pickable"):
+        check_flag(name, arguments.get(name, True))
+    for name, most in (("ambient", 1), ("diffuse", 1), ("specular", 1), ("specular_power", 128)):
+        check_number(name, arguments.get(name, 0), 0, most)
+    scalars = arguments.get("scalars")
+    if isinstance(scalars, str) and not _find_scalars(data, scalars)[1]:
+        raise ValueError(f"scalars: there is no array {scalars!r} of points or cells; there are "
+                         f"{listed(array_names(data))}")
+    if "clim" not in arguments:
+        return arguments
+    clim = arguments["clim"]
+    low, high = finite_pair("clim", (-clim, clim) if isinstance(clim, numbers.Real) else clim)
+    if low > high:
+        raise ValueError(f"clim: expected the lower number first, found {brief(clim)}")
+    return {**arguments, "clim": (low, high)}
+
 
 def set_appearance(actor, data, *, color=None, scalars=None, clim=None, cmap=None, opacity=1.0,
                    nan_color=None, lighting=True, pickable=True, **material):
@@ -29,21 +54,14 @@ def set_appearance(actor, data, *, color=None, scalars=None, clim=None, cmap=Non
     for name, value in material.items():
         getattr(appearance, "Set" + name.title().replace("_", ""))(value)
     appearance.SetLighting(lighting)
-    appearance.SetOpacity(_checked_opacity(opacity))
+    check_number("opacity", opacity, 0, 1)
+    appearance.SetOpacity(opacity)
     actor.SetPickable(pickable)
     if color is not None:
         appearance.SetColor(_rgb("color", color))
         actor.GetMapper().ScalarVisibilityOff()
     else:
         _color_by(actor.GetMapper(), data, scalars, clim, _color_map(cmap, nan_color))
-
-
-def _checked_opacity(opacity):
-    if not isinstance(opacity, numbers.Real):
-        raise TypeError(f"opacity: expected a number from 0 to 1, found {opacity!r}")
-    if not 0 <= opacity <= 1:
-        raise ValueError(f"opacity: expected a number from 0 to 1, found {opacity!r}")
-    return opacity
 
 
 def _rgb(argument, color):
@@ -55,9 +73,9 @@ def _rgb(argument, color):
             raise ValueError(f"{argument}: there is no color {color!r}; give a name of the CSS colors, "
                              "'#rrggbb', or red, green and blue in [0, 1]")
         return named.GetColor3d(color)
-    array = numpy.asarray(color, float)
+    array = numbers_of(argument, color)
     if array.shape != (3,) or not ((0 <= array) & (array <= 1)).all():
-        raise ValueError(f"{argument}: expected red, green and blue in [0, 1], found {color!r}")
+        raise ValueError(f"{argument}: expected red, green and blue in [0, 1], found {brief(color)}")
     return array.tolist()
 
 
@@ -72,10 +90,11 @@ def _color_map(cmap, nan_color):
         if isinstance(cmap, str):
             raise TypeError("cmap: only a PyVista plotter knows names; give a vtkScalarsToColors, or "
                             "colors as an array of shape (n, 3) or (n, 4)")
-        colors = numpy.asarray(cmap, float)
-        if colors.ndim != 2 or colors.shape[1] not in (3, 4) or not len(colors):
-            raise ValueError("cmap: expected colors as an array of shape (n, 3) or (n, 4), found "
-                             f"{colors.shape}")
+        colors = numbers_of("cmap", cmap)
+        if (colors.ndim != 2 or colors.shape[1] not in (3, 4) or not len(colors)
+                or not ((0 <= colors) & (colors <= 1)).all()):
+            raise ValueError("cmap: expected colors in [0, 1] as an array of shape (n, 3) or (n, 4), found "
+                             f"{brief(cmap)}")
         table.SetNumberOfTableValues(len(colors))
         for i, value in enumerate(colors):
             table.SetTableValue(i, *value)
@@ -88,8 +107,6 @@ def _color_map(cmap, nan_color):
 def _color_by(mapper, data, scalars, clim, table):
     fields, arrays = _find_scalars(data, scalars)
     if not arrays:
-        if scalars is not None:
-            raise ValueError(f"scalars: there is no array {scalars!r} of points or cells")
         mapper.ScalarVisibilityOff()
         return
     if scalars is not None:
@@ -98,7 +115,7 @@ def _color_by(mapper, data, scalars, clim, table):
     if arrays[0].GetNumberOfComponents() > 1:
         table.SetVectorModeToMagnitude()
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(_finite_range(arrays) if clim is None else finite_pair("clim", clim))
+    mapper.SetScalarRange(_finite_range(arrays) if clim is None else clim)
 
 
 def _finite_range(arrays):

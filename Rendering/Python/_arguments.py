@@ -4,11 +4,43 @@
 
 import math
 import numbers
+import sys
+
+import numpy
+from vtkmodules.vtkCommonCore import vtkObjectBase
+
+# Names of PyVista, of Matplotlib and of the papers' equations, by what they are called here.
+OTHER_NAMES = {
+    "radius": ("line_width", "point_size"),
+    "color": ("colour",),
+    "opacity": ("alpha",),
+    "occlusion_weight": ("q",),
+    "clutter_weight": ("r",),
+    "emphasis": ("lambda", "lambda_", "lam"),
+    "smoothing_iterations": ("s",),
+    "importance_weight": ("m",),
+    "coverage_weight": ("c",),
+    "directional_variance_weight": ("v",),
+    "depth_weight": ("d",),
+    "importance_exponent": ("lambda", "lambda_", "lam"),
+}
 
 
 def class_name(argument):
     """That of VTK, which classes of newer VTK override in Python, or of Python."""
     return getattr(argument, "GetClassName", lambda: type(argument).__name__)()
+
+
+def brief(value):
+    """What a message shows of a value."""
+    if isinstance(value, numpy.ndarray) and value.ndim:
+        return f"an array of {value.dtype.name} of shape {value.shape}"
+    if isinstance(value, vtkObjectBase):
+        return f"a {class_name(value)}"
+    if isinstance(value, (list, tuple)) and len(value) > 8:
+        return f"a {class_name(value)} of {len(value)}"
+    text = repr(value)
+    return text if len(text) <= 80 else f"{text[:60]}... ({class_name(value)})"
 
 
 def checked(argument, expected):
@@ -20,37 +52,75 @@ def checked(argument, expected):
 def check_names(arguments, known):
     for name in arguments:
         if name not in known:
-            raise TypeError(f"unknown parameter {name!r}; there are {', '.join(known)}")
+            meant = [ours for ours, others in OTHER_NAMES.items() if name in others and ours in known]
+            raise TypeError(f"unknown parameter {name!r}; "
+                            + (f"use {meant[0]}" if meant else f"there are {', '.join(known)}"))
+
+
+def check_choice(name, value, choices):
+    if value not in list(choices):
+        raise ValueError(f"{name}: expected one of {', '.join(choices)}; found {brief(value)}")
+
+
+def check_string(name, value):
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, found {brief(value)}")
+
+
+def check_flag(name, value):
+    if not isinstance(value, (int, numpy.bool_)) or value not in (0, 1):
+        raise TypeError(f"{name}: expected True or False, found {brief(value)}")
+
+
+def check_number(name, value, least, most=sys.float_info.max, kind=numbers.Real):
+    noun = "an integer" if kind is numbers.Integral else "a number"
+    limits = f"from {least:g} to {most:g}" if most < 1e30 else f"of at least {least:g}"
+    message = f"{name}: expected {noun} {limits}, found {brief(value)}"
+    if not isinstance(value, kind):
+        raise TypeError(message)
+    if not least <= _as_float(value) <= most:
+        raise ValueError(message)
 
 
 def finite_pair(name, value):
-    message = f"{name}: expected two finite numbers, found {value!r}"
-    try:
-        ends = list(value)
-    except TypeError:
-        raise TypeError(message) from None
-    if not all(isinstance(end, numbers.Real) for end in ends):
-        raise TypeError(message)
-    try:
-        ends = tuple(map(float, ends))
-    except OverflowError:
-        raise ValueError(message) from None
-    if len(ends) != 2 or not all(map(math.isfinite, ends)):
-        raise ValueError(message)
-    return ends
+    return tuple(map(float, _pair(
+        name, value, "finite numbers", numbers.Real, lambda end: math.isfinite(_as_float(end)))))
+
+
+def positive_pair(name, value):
+    return _pair(name, value, "positive integers", numbers.Integral, lambda end: end > 0)
 
 
 def set_parameters(target, parameters, known):
+    """Set those of an object of VTK, whose own limits hold."""
     check_names(parameters, known)
     for name, value in parameters.items():
         member = name.title().replace("_", "")
+        kind = type(getattr(target, "Get" + member)())
+        if kind is bool:
+            check_flag(name, value)
+        else:
+            least, most = (getattr(target, f"Get{member}{end}Value")() for end in ("Min", "Max"))
+            check_number(name, value, least, most, numbers.Integral if kind is int else numbers.Real)
         getattr(target, "Set" + member)(value)
-        if getattr(target, "Get" + member)() != value:
-            least, most = (
-                getattr(target, f"Get{member}{end}Value", lambda: None)()
-                for end in ("Min", "Max"))
-            if least is None:
-                expected = "True or False"
-            else:
-                expected = f"{least:g} to {most:g}" if most < 1e30 else f"{least:g} or more"
-            raise ValueError(f"{name}: expected {expected}, found {value!r}")
+
+
+def _as_float(number):
+    """That, or NaN where it is too large for one."""
+    try:
+        return float(number)
+    except OverflowError:
+        return math.nan
+
+
+def _pair(name, value, expected, kind, is_valid):
+    message = f"{name}: expected two {expected}, found {brief(value)}"
+    try:
+        ends = tuple(value)
+    except TypeError:
+        raise TypeError(message) from None
+    if not all(isinstance(end, kind) for end in ends):
+        raise TypeError(message)
+    if len(ends) != 2 or not all(map(is_valid, ends)):
+        raise ValueError(message)
+    return ends

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from ._arguments import checked, finite_pair, set_parameters
+from ._arguments import check_choice, checked, class_name, finite_pair, set_parameters
 from ._geometry import check_scalar_array, leaves_of
 from .vtkPellucidFilters import vtkSurfaceSegments, vtkTrajectorySegments
 from .vtkPellucidRendering import (
@@ -33,8 +33,9 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
              **parameters):
     """Fade an actor where it hides, or clutters, what is more important.
 
-    actor: vtkActor of a renderer that install() has made exact. Lines and points need a
-        vtkTrajectoryMapper.
+    actor: vtkActor of a renderer that install() has made exact, as add_lines(), add_points() and
+        add_surface() return. Lines and points need a vtkTrajectoryMapper, surfaces that or a
+        vtkPolyDataMapper; the vtkDataSetMapper of PyVista's `add_mesh` is none.
     preset: one of presets(). The smoothing of presets is for lines; surfaces take 5 steps of it at
         most.
     importance: name of a point array of one component: any, or one that vtkImportance makes.
@@ -50,8 +51,7 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
     Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
     """
     optimization = vtkOpacityOptimization()
-    if preset not in presets():
-        raise ValueError(f"preset: expected one of {', '.join(presets())}; found {preset!r}")
+    check_choice("preset", preset, presets())
     optimization.UsePreset(preset)
     set_parameters(optimization, parameters, OPTIMIZATION_PARAMETERS)
     optimization.SetImportanceRange(*finite_pair("importance_range", importance_range))
@@ -67,7 +67,7 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
           **parameters):
     """Fade an actor by what else is in each pixel; cheaper than optimize(), and needs more care.
 
-    actor: vtkActor of a renderer that install() has made exact.
+    actor: vtkActor with a mapper as optimize() has it.
     mode: "penalty", one factor on all that is in front of the most important thing, or "weighting".
     importance, importance_range: a point array and two of its values, as optimize() has them.
     parameters: penalty, importance_weight, coverage_weight, directional_variance_weight,
@@ -79,8 +79,7 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
     """
     avoidance = vtkOcclusionAvoidance()
     modes = {"penalty": avoidance.PENALTY, "weighting": avoidance.WEIGHTING}
-    if mode not in modes:
-        raise ValueError(f"mode: expected one of {', '.join(modes)}; found {mode!r}")
+    check_choice("mode", mode, modes)
     avoidance.SetMode(modes[mode])
     set_parameters(avoidance, parameters, (
         "penalty", "importance_weight", "coverage_weight", "directional_variance_weight",
@@ -130,7 +129,8 @@ def _check_importance(actor, importance):
     is_composite = isinstance(mapper.GetInputDataObject(0, 0), vtkCompositeDataSet)
     if not isinstance(mapper, vtkTrajectoryMapper if is_composite else vtkPolyDataMapper):
         raise TypeError("expected a vtkTrajectoryMapper, or a vtkPolyDataMapper of one vtkPolyData, "
-                        f"found a {mapper.GetClassName()}")
+                        f"found a {class_name(mapper)}; pellucid.add_surface(), add_lines() and "
+                        "add_points() add data with such a mapper, where PyVista's add_mesh() does not")
     check_scalar_array(_input(mapper), "importance", importance)
 
 
@@ -142,7 +142,7 @@ def _add_segments(mapper):
     draws_lines = any(leaf.GetNumberOfLines() + leaf.GetNumberOfVerts() for leaf in leaves)
     if draws_lines and not isinstance(mapper, vtkTrajectoryMapper):
         raise TypeError("lines and points: expected a vtkTrajectoryMapper, found a "
-                        f"{mapper.GetClassName()}")
+                        f"{class_name(mapper)}; add_lines() and add_points() make one")
     draws_surfaces = any(leaf.GetNumberOfPolys() + leaf.GetNumberOfStrips() for leaf in leaves)
     if draws_lines and draws_surfaces:
         raise ValueError("the actor has both lines or points and surfaces; give each of them an "

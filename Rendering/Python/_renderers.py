@@ -5,7 +5,7 @@
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from ._arguments import checked, class_name
+from ._arguments import checked, class_name, positive_pair
 from .vtkPellucidRendering import vtkReferenceRenderer, vtkTransparencyInstaller
 
 
@@ -16,15 +16,21 @@ def install(view):
         `view.GetClientSideObject().GetRenderer()`.
 
     Returns the vtkExactTransparencyPass that draws the renderer, for its parameters
-    (`memory_limit`) and statistics (`statistics`); of a window or plotter the list of those of
-    its renderers. A second call returns the same passes. Raises TypeError for anything else.
+    (`memory_limit`) and statistics (`statistics`); of a plotter that of its active renderer, of a
+    window that of its first. Each renderer has a pass of its own, which a second call returns:
+    `[pellucid.install(renderer) for renderer in plotter.renderers]`. Raises TypeError for anything
+    else, and ValueError for a window without a renderer.
 
     Notebooks get the exact picture with PyVista's back end "static", and with "server" and "trame"
     while the server renders. What a browser renders itself (vtk.js; "client", "html", and
     `export_html`) is not exact, and lacks what add_lines() and add_points() add.
     """
-    passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers_of(view)]
-    return passes[0] if isinstance(view, vtkRenderer) else passes
+    renderers = renderers_of(view)
+    if not renderers:
+        raise ValueError("expected a window with a renderer, found none; add it first")
+    passes = [vtkTransparencyInstaller.Install(renderer) for renderer in renderers]
+    active = getattr(view, "renderer", None)  # of a plotter
+    return passes[renderers.index(active) if active in renderers else 0]
 
 
 def uninstall(view):
@@ -37,14 +43,19 @@ def reference_picture(renderer, size=None):
     """The exact picture of a renderer, in double precision and without OpenGL.
 
     renderer: vtkRenderer. What vtkReferenceRenderer cannot draw, such as volumes, is left out.
-    size: width and height in pixels; default: those of the renderer in its window.
+    size: width and height in pixels; default: those of the renderer in its window, which has
+        rendered.
 
     Returns an array of float64, height x width x 4: red, green, blue and alpha in [0, 1], the top row
     first. Takes seconds for thousands of lines.
     """
-    width, height = checked(renderer, vtkRenderer).GetSize() if size is None else size
-    if width < 1 or height < 1:
-        raise ValueError(f"size: expected two positive integers, found {(width, height)}")
+    checked(renderer, vtkRenderer)
+    if size is None:
+        size = renderer.GetSize()
+        if 0 in size:
+            raise ValueError("size: the renderer has none before its window has rendered; give "
+                             "width and height")
+    width, height = positive_pair("size", size)
     reference = vtkReferenceRenderer()
     reference.SetRenderer(renderer)
     reference.SetSize(width, height)

@@ -1,45 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""pellucid.add_lines and add_points bring data and arrays of NumPy into a renderer."""
+"""pellucid.add_lines, add_points and add_surface bring data and arrays of NumPy into a renderer."""
 
-import re
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import pellucid
-from pictures import picture
-
-FRONT = [(-1, 0, 0.3), (0, 0, 0.3), (1, 0, 0.3)]
-BACK = [(0, -1, -0.3), (0, 0, -0.3), (0, 1, -0.3)]
-HEIGHTS = [0.3, 0.3, 0.3, -0.3, -0.3, -0.3]
-
-
-class ViewTest(unittest.TestCase):
-    def setUp(self):
-        self.renderer = vtkRenderer()
-        self.renderer.GetActiveCamera().SetPosition(0, 0, 5)
-        self.window = vtkRenderWindow()
-        self.window.OffScreenRenderingOn()
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(60, 40)
-        self.window.AddRenderer(self.renderer)
-
-    def draw(self):
-        self.renderer.ResetCameraClippingRange()
-        self.window.Render()
-        return picture(self.window)
-
-    def assert_reference(self):
-        """The picture, and what the reference renderer says, differ on outlines at most."""
-        reference = 255 * pellucid.reference_picture(self.renderer)[::-1, :, :3]
-        difference = abs(self.draw() - reference).max(axis=2)
-        self.assertLess((difference > 1).mean(), 0.01)
-        self.assertGreater(reference.max(), 30)
+from views import BACK, FRONT, HEIGHTS, ViewTest
 
 
 class TestData(ViewTest):
@@ -53,7 +25,8 @@ class TestData(ViewTest):
     def test_arrays_of_points(self):
         for data, offsets in (
             (numpy.array(FRONT), [0, 3]), ([numpy.array(FRONT), BACK[:2]], [0, 3, 5]),
-            (FRONT, [0, 3]), (numpy.array((FRONT, BACK), numpy.float32), [0, 3, 6]), ([], [0]),
+            (FRONT, [0, 3]), ([FRONT, []], [0, 3, 3]), ([], [0]),
+            (numpy.array((FRONT, BACK)), [0, 3, 6]),
         ):
             points, found = self.points_of(data)
             self.assertEqual(found, offsets)
@@ -68,6 +41,84 @@ class TestData(ViewTest):
         self.assertIsNone(lines.GetPointData().GetArray("Scalars"))
         array = with_scalars.GetMapper().GetInput().GetPointData().GetArray("Scalars")
         self.assertEqual(vtk_to_numpy(array).tolist(), HEIGHTS)
+
+    def test_arrays_take_names_that_nothing_has(self):
+        arrays = {"radius": [1, 2, 3], "importance": [4, 5, 6], "scalars": [7, 8, 9]}
+        names = {"Importance", "Radius", "Scalars"}
+        mesh = self.mesh_of(FRONT)
+        for name in names:
+            mesh = self.with_array(mesh, name, [0, 0, 0])
+        for named in (None, "Importance", "Radius", "Scalars"):
+            arguments = {**arrays, "scalars": named} if named else arrays
+            actor = pellucid.add_lines(self.renderer, mesh, **arguments)
+            mapper = actor.GetMapper()
+            optimization = pellucid.vtkImportanceDrivenOpacity.Get(actor)
+            mapper.Update()
+            attributes = mapper.GetInput().GetPointData()
+            for name in names:
+                self.assertEqual(vtk_to_numpy(attributes.GetArray(name)).tolist(), [0, 0, 0])
+            self.assertEqual(
+                [vtk_to_numpy(attributes.GetArray(name)).tolist() for name in (
+                    mapper.GetRadiusArray(), optimization.GetImportanceArray(), mapper.GetArrayName())],
+                [[1, 2, 3], [4, 5, 6], [0, 0, 0] if named else [7, 8, 9]])
+        self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), 3)
+
+    def mesh_of(self, lines):
+        return pellucid.add_lines(self.renderer, lines).GetMapper().GetInput()
+
+    @staticmethod
+    def with_array(mesh, name, values):
+        array = numpy_to_vtk(numpy.array(values), deep=True)
+        array.SetName(name)
+        copy = mesh.NewInstance()
+        copy.ShallowCopy(mesh)
+        copy.GetPointData().AddArray(array)
+        return copy
+
+    def test_values_of_lines_and_of_cells(self):
+        lines = numpy.array((FRONT, BACK))
+        for given in (lines, list(lines)):
+            actor = pellucid.add_lines(
+                self.renderer, given, scalars=[(1, 2, 3), (4, 5, 6)],
+                radius=numpy.array([(1, 2, 3), (4, 5, 6)]), importance=numpy.zeros((2, 3)))
+            actor.GetMapper().Update()
+            attributes = actor.GetMapper().GetInput().GetPointData()
+            for name in ("Radius", "Scalars"):
+                self.assertEqual(vtk_to_numpy(attributes.GetArray(name)).tolist(), [1, 2, 3, 4, 5, 6])
+        vectors = numpy.arange(18).reshape(2, 3, 3)
+        actor = pellucid.add_lines(self.renderer, lines, scalars=vectors)
+        array = actor.GetMapper().GetInput().GetPointData().GetArray("Scalars")
+        self.assertEqual(vtk_to_numpy(array).tolist(), vectors.reshape(6, 3).tolist())
+
+        unequal = [FRONT, BACK[:2]]
+        for values in ([3, 4], [[3, 3, 3], [4, 4]], numpy.array([3, 3, 3, 4, 4])):
+            actor = pellucid.add_lines(
+                self.renderer, unequal, radius=values, importance=values, importance_range=(3, 4))
+            actor.GetMapper().Update()
+            attributes = actor.GetMapper().GetInput().GetPointData()
+            for name in ("Radius", "Importance"):
+                self.assertEqual(vtk_to_numpy(attributes.GetArray(name)).tolist(), [3, 3, 3, 4, 4])
+
+        self.renderer.RemoveAllViewProps()
+        pellucid.add_lines(
+            self.renderer, [FRONT, BACK[:2]], scalars=[2, 5], cmap=[(1, 0, 0), (0, 0, 1)], radius=0.2,
+            lighting=False)
+        drawn = self.draw()
+        self.assertEqual(drawn[20, 30].tolist(), [255, 0, 0])
+        self.assertEqual(drawn[10, 30].tolist(), [0, 0, 255])
+
+    def test_none_means_the_default(self):
+        actor = pellucid.add_lines(
+            self.renderer, FRONT, radius=None, importance=None, preset=None, emphasis=None, opacity=None,
+            lighting=None, specular=None, scalars=None, clim=None, color=None)
+        self.assertEqual(actor.GetMapper().GetRadius(), 0)
+        self.assertEqual(actor.GetProperty().GetOpacity(), 1)
+        self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
+
+    def test_range_of_colors(self):
+        for clim, expected in ((2, (-2, 2)), ([1, 3], (1, 3)), (numpy.array((1, 3)), (1, 3))):
+            actor = pellucid.add_lines(self.renderer, FRONT, scalars=[0, 1, 2], clim=clim)
+            self.assertEqual(actor.GetMapper().GetScalarRange(), expected)
 
     def test_types_of_numbers(self):
         for kind in ("?", "i1", "u8", "<i4", ">i4", "<f4", ">f4", ">f8", "f2", "g"):
@@ -99,6 +150,12 @@ class TestData(ViewTest):
         self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 1))
         with self.assertRaisesRegex(TypeError, "scalars: of vtkMultiBlockDataSet, expected the name"):
             pellucid.add_lines(self.renderer, blocks, scalars=HEIGHTS)
+        blocks.SetBlock(3, pellucid.add_points(self.renderer, BACK[:2]).GetMapper().GetInput())
+        balls = pellucid.add_points(self.renderer, blocks).GetMapper().GetInputDataObject(0, 0)
+        self.assertEqual(
+            [(balls.GetBlock(i).GetNumberOfVerts(), balls.GetBlock(i).GetNumberOfLines())
+             for i in (0, 1, 3)], [(3, 0), (3, 0), (2, 0)])
+        self.assertIsNone(balls.GetBlock(2))
 
     def test_points(self):
         actor = pellucid.add_points(self.renderer, numpy.array(FRONT + BACK))
@@ -116,7 +173,7 @@ class TestPicture(ViewTest):
         self.assert_reference()
         transparency = pellucid.install(self.renderer)
         self.assertGreater(transparency.GetStatistics().GetLongestList(), 1)
-        self.assertEqual(pellucid.install(self.window), [transparency])
+        self.assertIs(pellucid.install(self.window), transparency)
         pellucid.uninstall(self.window)
         self.assertIsNone(self.renderer.GetPass())
 
@@ -172,57 +229,37 @@ class TestPicture(ViewTest):
         self.assertEqual(numpy.nanmax(opacities), 1)
 
 
-class TestErrors(ViewTest):
-    def test_wrong_arguments_change_nothing(self):
-        for error, message, wrong in (
-            (TypeError, "unknown parameter 'colour'; there are color, scalars, ", {"colour": "red"}),
-            (TypeError, "unknown parameter 'line_width'; there are ", {"line_width": 3}),
-            (ValueError, "opacity: expected a number from 0 to 1, found 2", {"opacity": 2}),
-            (TypeError, "opacity: expected a number from 0 to 1, found 'linear'", {"opacity": "linear"}),
-            (ValueError, "radius: expected 0 or more, found -1", {"radius": -1}),
-            (ValueError, "radius: expected 0 or more, found nan", {"radius": float("nan")}),
-            (ValueError, "radius: expected 6 values, one for each point, found an array of shape (2,)",
-             {"radius": [1, 2]}),
-            (ValueError, "radius: there is no point array 'x' of one component", {"radius": "x"}),
-            (ValueError, "color: there is no color 'blau'", {"color": "blau"}),
-            (ValueError, "color: expected red, green and blue in [0, 1], found (255, 0, 0)",
-             {"color": (255, 0, 0)}),
-            (ValueError, "scalars: there is no array 'x' of points or cells", {"scalars": "x"}),
-            (TypeError, "scalars: expected numbers or the name of an array", {"scalars": ["a"] * 6}),
-            (ValueError, "clim: expected two finite numbers, found (1,)",
-             {"clim": (1,), "scalars": HEIGHTS}),
-            (TypeError, "cmap: only a PyVista plotter knows names", {"cmap": "viridis"}),
-            (ValueError, "cmap: expected colors as an array of shape", {"cmap": [1, 2]}),
-            (ValueError, "importance: there is no point array 'x'", {"importance": "x"}),
-            (ValueError, "emphasis: only with importance, which is missing", {"emphasis": 2}),
-            (ValueError, "preset: expected one of", {"preset": "x", "importance": HEIGHTS}),
-            (ValueError, "emphasis: expected 0.01 to 100, found 0",
-             {"emphasis": 0, "importance": HEIGHTS}),
-        ):
-            with self.subTest(wrong=wrong), self.assertRaisesRegex(error, re.escape(message)):
-                pellucid.add_lines(self.renderer, [FRONT, BACK], **wrong)
-        self.assertEqual(self.renderer.GetActors().GetNumberOfItems(), 0)
-        self.assertIsNone(pellucid.vtkTransparencyInstaller.GetPass(self.renderer))
+class TestSurfaces(ViewTest):
+    @staticmethod
+    def sphere(radius, depth):
+        source = vtkSphereSource()
+        source.SetRadius(radius)
+        source.SetCenter(0, 0, depth)
+        source.SetThetaResolution(32)
+        source.SetPhiResolution(32)
+        source.Update()
+        return source.GetOutput()
 
-    def test_wrong_data(self):
-        for error, message, wrong in (
-            (TypeError, "lines: expected vtkPolyData or an array of points, found NoneType", None),
-            (TypeError, "found vtkUnstructuredGrid; vtkGeometryFilter makes", vtkUnstructuredGrid()),
-            (TypeError, "lines: expected numbers, found", ["a"]),
-            (ValueError, "lines: expected points as an array of shape (n, 3), found (1, 2)", [(1, 2)]),
-            (ValueError, "of shape (n, 3), found (3,)", [FRONT, (1, 2, 3)]),
-        ):
-            with self.subTest(wrong=wrong), self.assertRaisesRegex(error, re.escape(message)):
-                pellucid.add_lines(self.renderer, wrong)
-        with self.assertRaisesRegex(ValueError, "points: expected points as an array of shape"):
-            pellucid.add_points(self.renderer, [1, 2, 3])
+    def test_a_surface_fades_before_lines(self):
+        """Poly data and composite data; each in the picture of the reference renderer."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(1, TestData.with_array(self.sphere(0.8, 0.5), "Low", numpy.zeros(962)))
+        for mesh, importance in ((blocks.GetBlock(1), numpy.zeros(962)), (blocks, "Low")):
+            self.renderer.RemoveAllViewProps()
+            actor = pellucid.add_surface(
+                self.renderer, mesh, color="red", importance=importance, ambient=0.2)
+            pellucid.add_lines(
+                self.renderer, [FRONT, BACK], radius=0.1, color="white", importance=numpy.ones(6))
+            self.assert_reference()
+            opacities = pellucid.optimized_opacities(self.renderer, actor)
+            self.assertLess(numpy.nanmin(opacities), 0.1)
+            self.assertGreater(numpy.nanmax(opacities), 0.9)
 
-    def test_wrong_views(self):
-        for wrong in (None, self.window, vtkActor(), "renderer"):
-            with self.assertRaisesRegex(TypeError, "expected a PyVista plotter or a vtkRenderer, found"):
-                pellucid.add_lines(wrong, FRONT)
-        with self.assertRaisesRegex(ValueError, "size: expected two positive integers"):
-            pellucid.reference_picture(self.renderer, (0, 5))
+    def test_a_surface_of_one_opacity(self):
+        sphere = self.sphere(0.8, 0)
+        pellucid.add_surface(self.renderer, sphere, scalars=numpy.arange(sphere.GetNumberOfCells()),
+                             opacity=0.5)
+        self.assert_reference()
 
 
 if __name__ == "__main__":

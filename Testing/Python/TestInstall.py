@@ -68,10 +68,13 @@ class TestInstall(unittest.TestCase):
     def test_windows_and_plotters_have_a_pass_for_each_renderer(self):
         other = vtkRenderer()
         self.window.AddRenderer(other)
-        passes = pellucid.install(self.window)
-        self.assertEqual(passes, [pellucid.install(self.renderer), pellucid.install(other)])
-        plotter = types.SimpleNamespace(renderers=[self.renderer, other])
-        self.assertEqual(pellucid.install(plotter), passes)
+        pellucid.install(self.window)
+        first, second = map(pellucid.vtkTransparencyInstaller.GetPass, (self.renderer, other))
+        self.assertIsNot(first, second)
+        self.assertIs(pellucid.install(self.window), first)
+        plotter = types.SimpleNamespace(renderers=[self.renderer, other], renderer=other)
+        self.assertIs(pellucid.install(plotter), second)
+        self.assertIs(pellucid.install(self.renderer), first)
         pellucid.uninstall(plotter)
         self.window.Render()
         self.assertIsNone(self.renderer.GetPass())
@@ -81,6 +84,10 @@ class TestInstall(unittest.TestCase):
         for wrong in (plane(0.0, (1.0, 0.0, 0.0)), None, "renderer", types.SimpleNamespace(renderers=[1])):
             with self.assertRaisesRegex(TypeError, "vtkRenderer"):
                 pellucid.install(wrong)
+        empty = vtkRenderWindow()
+        with self.assertRaisesRegex(ValueError, "expected a window with a renderer, found none"):
+            pellucid.install(empty)
+        pellucid.uninstall(empty)
 
 
 if __name__ == "__main__":

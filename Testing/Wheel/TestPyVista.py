@@ -52,7 +52,7 @@ class PlotterTest(unittest.TestCase):
     def assert_exact(self, plotter=None, least_layers=2):
         """But for outlines, the picture is that of the reference renderer."""
         plotter = plotter or self.plotter
-        transparency, = pellucid.install(plotter)
+        transparency = pellucid.install(plotter)
         found = plotter.screenshot(return_img=True)[:, :, :3].astype(float)
         self.assertGreaterEqual(transparency.GetStatistics().GetLongestList(), least_layers)
         expected = 255 * pellucid.reference_picture(plotter.renderer)[:, :, :3]
@@ -121,7 +121,7 @@ class TestTranslucency(PlotterTest):
         grid["values"] = numpy.linspace(0, 1, grid.n_points)
         self.plotter.add_volume(grid, show_scalar_bar=False)
         self.plotter.camera_position = "xy"
-        transparency, = pellucid.install(self.plotter)
+        transparency = pellucid.install(self.plotter)
         found = self.plotter.screenshot(return_img=True)[:, :, :3].astype(float)
         self.assertGreaterEqual(transparency.GetStatistics().GetLongestList(), 4)
         expected = 255 * pellucid.reference_picture(self.plotter.renderer)[:, :, :3]
@@ -134,8 +134,9 @@ class TestTranslucency(PlotterTest):
         for column, color in enumerate((RED, BLUE)):
             plotter.subplot(0, column)
             plotter.add_mesh(pyvista.Sphere(), color=color, opacity=0.5)
-        passes = pellucid.install(plotter)
-        self.assertEqual(len(passes), 2)
+        self.assertIs(pellucid.install(plotter), pellucid.install(plotter.renderer))
+        passes = [pellucid.install(renderer) for renderer in plotter.renderers]
+        self.assertIs(pellucid.install(plotter), passes[1])
         plotter.screenshot(return_img=True)
         for transparency in passes:
             self.assertEqual(transparency.GetStatistics().GetLongestList(), 2)
@@ -165,7 +166,7 @@ class TestTranslucency(PlotterTest):
         plotter.add_mesh(pyvista.Sphere(), color="tan", opacity=0.4)
         plotter.add_point_labels([(0.0, 0.0, 0.0)], ["middle"])
         plotter.add_text("sphere")
-        transparency, = pellucid.install(plotter)
+        transparency = pellucid.install(plotter)
         warnings = []
         transparency.AddObserver("WarningEvent", lambda *_: warnings.append(True))
         plotter.screenshot(return_img=True)
@@ -210,8 +211,13 @@ class TestAddLines(PlotterTest):
 
     def test_points(self):
         cloud = numpy.random.default_rng(2).uniform(-1, 1, (200, 3))
-        pellucid.add_points(self.plotter, cloud, radius=0.2, color="gold", opacity=0.3)
-        self.assert_exact(least_layers=5)
+        blocks = pyvista.MultiBlock([pyvista.PolyData(cloud[:100]), None, pyvista.PolyData(cloud[100:])])
+        pictures = []
+        for points in (cloud, blocks):
+            plotter = self.make_plotter()
+            pellucid.add_points(plotter, points, radius=0.2, color="gold", opacity=0.3)
+            pictures.append(self.assert_exact(plotter, least_layers=5))
+        numpy.testing.assert_array_equal(*pictures)
 
     def test_colors_of_directions(self):
         lines = crossing_lines()
@@ -240,6 +246,27 @@ class TestAddLines(PlotterTest):
             self.plotter, crossing_lines(), scalars="Height", scalar_bar_args={"title": "Above"})
         self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Above"])
 
+    def test_titles_of_scalar_bars_are_those_of_pyvista(self):
+        lines = crossing_lines()
+        lines["Vectors"] = lines.points
+        active = crossing_lines()
+        active.set_active_scalars("Height")
+        for mesh, arguments in (
+            (lines, {"scalars": "Vectors"}), (lines, {"scalars": "Vectors", "component": 1}),
+            (lines, {"scalars": numpy.arange(6)}), (lines, {"scalars": [3.0, 4.0]}),
+            (active, {}), (active, {"color": "red"}), (lines, {"scalars": "Vectors", "rgb": True}),
+        ):
+            titles, ranges = [], []
+            for add in (pyvista.Plotter.add_mesh, pellucid.add_lines):
+                plotter = self.make_plotter()
+                actor = add(plotter, mesh.copy(), **{
+                    name: numpy.array(value) if isinstance(value, list) else value
+                    for name, value in arguments.items()})
+                titles.append(list(plotter.scalar_bars.keys()))
+                ranges.append(actor.GetMapper().GetScalarRange())
+            self.assertEqual(*titles, arguments)
+            self.assertEqual(*ranges, arguments)
+
     def test_name_takes_the_place_of_an_actor(self):
         for color in ("red", "blue"):
             pellucid.add_lines(self.plotter, crossing_lines(), color=color, name="lines")
@@ -257,11 +284,80 @@ class TestAddLines(PlotterTest):
             opacities = pellucid.optimized_opacities(plotter.renderer, actor)
             self.assertLess(numpy.nanmin(opacities), 0.1)
 
+    def test_arrays_take_names_that_nothing_has(self):
+        lines = crossing_lines()
+        lines["Importance"] = [0.0] * 3 + [1.0] * 3
+        actor = pellucid.add_lines(
+            self.plotter, lines, radius=0.2, scalars="Importance", importance=[1.0] * 6,
+            cmap=["red", "blue"], lighting=False, show_scalar_bar=False)
+        self.plotter.camera_position = "xy"
+        numpy.testing.assert_array_equal(self.plotter.screenshot(return_img=True)[80, 100], (255, 0, 0))
+        self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 1))
+
+    def test_surface(self):
+        shell = pyvista.Sphere()
+        shell["Low"] = numpy.zeros(shell.n_points)
+        blocks = pyvista.MultiBlock([shell, shell.translate((0.5, 0, 0))])
+        for mesh in (shell, blocks):
+            for smooth_shading in (False, True):
+                plotter = self.make_plotter()
+                actor = pellucid.add_surface(
+                    plotter, mesh, color="tan", importance="Low", smooth_shading=smooth_shading)
+                pellucid.add_lines(
+                    plotter, crossing_lines(), radius=0.05, color="red", importance=numpy.ones(6))
+                plotter.camera_position = "xy"
+                self.assert_exact(plotter)
+                opacities = pellucid.optimized_opacities(plotter.renderer, actor)
+                self.assertLess(numpy.nanmin(opacities), 0.1)
+        pellucid.add_surface(self.plotter, shell, scalars="Low", show_edges=True, style="wireframe")
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Low"])
+
+    def test_mappers_of_pyvista_are_refused(self):
+        actor = self.plotter.add_mesh(pyvista.Sphere(), scalars="Normals")
+        for function in (pellucid.optimize, pellucid.avoid):
+            with self.assertRaisesRegex(TypeError, r"found a (vtk)?DataSetMapper; pellucid.add_surface\(\), "):
+                function(actor)
+
+    def test_wrong_scalar_bars_change_nothing(self):
+        kept = pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height", name="lines")
+        self.plotter.camera_position = "xz"
+        before = self.plotter.screenshot(return_img=True)
+        for error, wrong in (
+            (TypeError, {"heading": "x"}), (TypeError, {"n_labels": "x"}), (TypeError, "x"),
+            (TypeError, {"mapper": None}), (ValueError, {"color": "no such color"}),
+            (ValueError, {"font_family": "no such font"}),
+        ):
+            for show in (None, False):
+                with self.assertRaisesRegex(error, "^scalar_bar_args: expected .*, found "):
+                    pellucid.add_lines(
+                        self.plotter, crossing_lines(), scalars="Height", scalar_bar_args=wrong,
+                        show_scalar_bar=show, name="lines")
+        self.assertEqual(list(self.plotter.actors.values()).count(kept), 1)
+        numpy.testing.assert_array_equal(self.plotter.screenshot(return_img=True), before)
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Height"])
+
+    def test_too_many_scalar_bars_change_nothing(self):
+        for i in range(10):
+            self.plotter.add_mesh(
+                crossing_lines(), scalars="Height", scalar_bar_args={"title": f"bar {i}"})
+        before = set(self.plotter.actors)
+        with self.assertRaisesRegex(RuntimeError, "Maximum number of color bars"):
+            pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height")
+        self.assertEqual(set(self.plotter.actors), before)
+        self.assertIsNone(pellucid.vtkTransparencyInstaller.GetPass(self.plotter.renderer))
+
     def test_wrong_arguments_change_nothing(self):
         for error, message, wrong in (
-            (TypeError, "unknown parameter 'colour'; there are color,", {"colour": "red"}),
-            (TypeError, "unknown parameter 'line_width'", {"line_width": 2}),
-            (ValueError, "radius: expected 0 or more", {"radius": -1}),
+            (TypeError, "unknown parameter 'size'; there are radius, .*, user_matrix$", {"size": 2}),
+            (TypeError, "unknown parameter 'line_width'; use radius", {"line_width": 2}),
+            (ValueError, "radius: expected a number of at least 0", {"radius": -1}),
+            (ValueError, "scalars: there is no array 'x' of points or cells; there are Height",
+             {"scalars": "x"}),
+            (TypeError, "name: expected a string, found 5", {"name": 5}),
+            (TypeError, "label: expected a string, found 5", {"label": 5}),
+            (ValueError, "clim: expected two finite numbers", {"clim": (1,), "scalars": "Height"}),
+            (TypeError, "specular: expected a number from 0 to 1, found 'a'", {"specular": "a"}),
+            (ValueError, "preset: only with importance", {"preset": "focus"}),
             (ValueError, "importance: there is no point array 'x'", {"importance": "x"}),
             (ValueError, "color", {"color": "no such color"}),
             (ValueError, "", {"cmap": "no such map", "scalars": "Height"}),

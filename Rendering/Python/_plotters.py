@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Add to plotters of PyVista; imported only for who has one."""
+
+import pyvista
+
+from ._arguments import brief
+
+
+def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, arguments):
+    """What PyVista sets on its own mapper goes over to this one, which then takes its place.
+
+    bar_title: of the scalar bar, unless scalar_bar_args has one; None: the name of the active scalars.
+    follow_importance: called with the actor.
+    """
+    show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar)
+    scalar_bar_args = arguments.pop("scalar_bar_args", {})
+    _check_scalar_bar(scalar_bar_args)
+    if bar_title is None:
+        bar_title = getattr(pyvista.wrap(data), "active_scalars_name", None)
+
+    actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **arguments)
+    replaced = actor.GetMapper()
+    mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
+    mapper.ShallowCopy(replaced)
+    actor.SetMapper(mapper)
+    maps_scalars = mapper.GetScalarVisibility() and mapper.GetColorModeAsString() == "MapScalars"
+    try:
+        follow_importance(actor)
+        if show_scalar_bar and maps_scalars and bar_title is not None:
+            plotter.add_scalar_bar(mapper=mapper, render=False, **{"title": bar_title, **scalar_bar_args})
+    except Exception:
+        plotter.remove_actor(actor, reset_camera=False, render=False)
+        raise
+    plotter.mapper = mapper
+    return actor
+
+
+def _check_scalar_bar(arguments):
+    """In a plotter that is never shown: PyVista tells what is wrong only once the mesh is there."""
+    if not isinstance(arguments, dict):
+        raise TypeError(f"scalar_bar_args: expected a dict, found {brief(arguments)}")
+    if not arguments:
+        return
+    rehearsal = pyvista.Plotter(off_screen=True)
+    try:
+        rehearsal.add_scalar_bar(mapper=pyvista.DataSetMapper(), render=False, **{"title": "", **arguments})
+    except Exception as error:
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"scalar_bar_args: expected what PyVista's add_scalar_bar() takes, found "
+                   f"{brief(arguments)}: {error}") from error
+    finally:
+        rehearsal.close()
