@@ -161,11 +161,6 @@ struct vtkTrajectorySegments::Leaf
   std::vector<double> Lengths;
   vtkBoundingBox Box; // of the lines with a length
 
-  double GetLength() const
-  {
-    return std::accumulate(this->Lengths.begin(), this->Lengths.end(), 0.0);
-  }
-
   // In double precision, which has no overflow.
   double GetNumberOfSegments(double target) const
   {
@@ -278,13 +273,16 @@ double vtkTrajectorySegments::ChooseLength(const std::vector<Leaf>& leaves) cons
   {
     return this->SegmentLength;
   }
-  double length = 0.0;
+  std::vector<double> lengths;
   vtkBoundingBox box;
   for (const Leaf& leaf : leaves)
   {
-    length += leaf.GetLength();
+    lengths.insert(lengths.end(), leaf.Lengths.begin(), leaf.Lengths.end());
     box.AddBox(leaf.Box);
   }
+  // In another order of the lines, the sum would be rounded to another one.
+  std::sort(lengths.begin(), lengths.end());
+  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   if (this->NumberOfSegments > 0)
   {
     return length / static_cast<double>(this->NumberOfSegments);

@@ -192,6 +192,25 @@ void TestUsualLength(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
+// Two lines of 1.5 segments, and three too short to change the sum of the lengths one by one.
+void TestOrderOfLines(Checks& checks)
+{
+  std::vector<Trajectory> lines(2, { { 0, 0, 0 }, { 1, 0, 0 } });
+  lines.insert(lines.end(), 3, { { 0, 0, 0 }, { 1.5e-16, 0, 0 } });
+  const auto countSegments = [&]()
+  {
+    vtkNew<vtkTrajectorySegments> filter;
+    filter->SetInputDataObject(MakeTrajectories(lines));
+    filter->SetNumberOfSegments(3);
+    filter->Update();
+    return filter->GetTotalNumberOfSegments();
+  };
+  const vtkIdType forward = countSegments();
+  std::reverse(lines.begin(), lines.end());
+  checks.Near("segments in another order of the lines", countSegments(), forward, 0);
+}
+
+//------------------------------------------------------------------------------
 void TestSpecialCells(Checks& checks)
 {
   const auto data = MakeTrajectories({
@@ -384,6 +403,7 @@ int TestTrajectorySegments(int, char*[])
   Checks checks;
   TestWeights(checks);
   TestUsualLength(checks);
+  TestOrderOfLines(checks);
   TestSpecialCells(checks);
   TestComposite(checks);
   TestLimits(checks);

@@ -168,14 +168,15 @@ vtkIdType GetMostSilhouettePixels(const SceneDescription& scene)
   return std::max<vtkIdType>(3, scene.Width * scene.Height / 200);
 }
 
-/** How many pixels may depend on silhouette pixels, through smoothed attributes or the opacity of a
- * segment: none where neither is there. */
+/** How many pixels may be unlike the reference at their centre and like it nearby. Smoothed
+ * attributes and the opacities of segments depend on silhouette pixels; else it is the shading of
+ * steep facets. */
 vtkIdType GetMostDependentPixels(const SceneDescription& scene, vtkIdType silhouettePixels)
 {
   const bool spreads = std::any_of(scene.Props.begin(), scene.Props.end(),
     [](const PropDescription& prop)
     { return prop.Method == "optimization" || (prop.Method != "none" && prop.SmoothAttributes); });
-  return spreads ? std::max<vtkIdType>(1, scene.Width * scene.Height / 200) + silhouettePixels : 0;
+  return spreads ? std::max<vtkIdType>(1, scene.Width * scene.Height / 200) + silhouettePixels : 2;
 }
 }
 
