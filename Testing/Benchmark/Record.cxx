@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -182,7 +183,7 @@ std::string Join(const std::vector<std::string>& words)
 std::string ToFixed(double value)
 {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << value;
+  text << std::fixed << std::setprecision(2) << (std::abs(value) < 0.005 ? 0.0 : value);
   return text.str();
 }
 
