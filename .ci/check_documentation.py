@@ -1,15 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) Pellucid contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Say what the API reference leaves out: check_documentation.py FOLDER, that of Doxygen's XML.
+"""Say what the API reference leaves out: check_documentation.py FOLDER, with Doxygen's xml and html.
 
 Every class says in a few words and in full what it is, and under "Reference" where it comes from, or
 that it comes from nowhere else. Every public method has a text; that of a setter of a number or flag
 names the default, and the range where there is one. So does every function of the Python package.
+No page links to a file or folder that is not there.
 """
 
 import pathlib
 import re
 import sys
+import urllib.parse
 import xml.etree.ElementTree as ElementTree
 
 LONG = 120  # characters of a class' text, at least
@@ -84,6 +86,14 @@ def findings(folder):
         yield f"{folder}: no class is documented"
 
 
-found = list(findings(pathlib.Path(sys.argv[1])))
+def dead_links(folder):
+    for page in sorted(folder.glob("*.html")):
+        for link in sorted(set(re.findall(r'(?:href|src)="([^"#?:]+)[#?"]', page.read_text(encoding="utf-8")))):
+            if not (folder / urllib.parse.unquote(link)).exists():
+                yield f"{page.name}: links to {link}, which is not there"
+
+
+root = pathlib.Path(sys.argv[1])
+found = [*findings(root / "xml"), *dead_links(root / "html")]
 print("\n".join(found))
 sys.exit(1 if found else 0)

@@ -26,6 +26,14 @@ def functions_of(path):
     return own
 
 
+def join_arguments(arguments):
+    """Arguments that need their keywords as ordinary ones: Doxygen prints `*, radius=0` as `*radius=0`."""
+    if None not in arguments.kw_defaults:
+        arguments.args += arguments.kwonlyargs
+        arguments.defaults += arguments.kw_defaults
+        arguments.kwonlyargs, arguments.kw_defaults = [], []
+
+
 def flatten(folder):
     path = folder / "__init__.py"
     body = []
@@ -33,6 +41,7 @@ def flatten(folder):
         text = ast.get_docstring(function)
         if not name.startswith("_"):
             function.name = name
+            join_arguments(function.args)
             function.body = [ast.Expr(ast.Constant(text))] if text else [ast.Pass()]
             function.decorator_list = []
             body.append(function)

@@ -31,14 +31,18 @@ list(JOIN pellucid_documentation_inputs " " pellucid_documentation_inputs)
 configure_file(CMake/Doxyfile.in "${pellucid_documentation_folder}/Doxyfile" @ONLY)
 
 # README.md links to folders that are no part of the reference.
+set(pellucid_copy_folders "")
+foreach (folder IN ITEMS
+    Plugin/Documentation Plugin/Examples Rendering/Applications/Example Rendering/Python/Examples)
+  list(APPEND pellucid_copy_folders
+    COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/${folder}"
+      "${pellucid_documentation_folder}/html/${folder}")
+endforeach ()
 add_custom_target(documentation
   ${pellucid_flatten_package}
   COMMAND Doxygen::doxygen "${pellucid_documentation_folder}/Doxyfile"
+  ${pellucid_copy_folders}
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/.ci/check_documentation.py"
-    "${pellucid_documentation_folder}/xml"
-  COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/Plugin/Documentation"
-    "${pellucid_documentation_folder}/html/Plugin/Documentation"
-  COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/Plugin/Examples"
-    "${pellucid_documentation_folder}/html/Plugin/Examples"
+    "${pellucid_documentation_folder}"
   COMMENT "The API reference: ${pellucid_documentation_folder}/html/index.html"
   VERBATIM)
