@@ -11,14 +11,10 @@
 
 namespace pellucid
 {
-namespace
-{
 //------------------------------------------------------------------------------
-int Fail(const std::string& message)
+void PrintError(const std::string& message)
 {
-  std::cerr << ProgramName << ": " << MakePrintable(message) << "\n";
-  return 1;
-}
+  std::cerr << ProgramName << ": " << MakePrintable(message) << std::endl;
 }
 
 //------------------------------------------------------------------------------
@@ -31,11 +27,12 @@ int RunProgram(const std::function<void()>& work)
   }
   catch (const std::bad_alloc&)
   {
-    return Fail("out of memory; the input may be damaged, or too large for this machine");
+    PrintError("out of memory; the input may be damaged, or too large for this machine");
   }
   catch (const std::exception& error)
   {
-    return Fail(error.what());
+    PrintError(error.what());
   }
+  return 1;
 }
 }

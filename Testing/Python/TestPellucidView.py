@@ -123,8 +123,8 @@ class WindowTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.count = 0
 
-    def start(self, *arguments, dots_per_inch=96, environment=None):
-        self.desktop = desktop.Desktop(dots_per_inch)
+    def start(self, *arguments, environment=None, **screen):
+        self.desktop = desktop.Desktop(**screen)
         self.addCleanup(self.desktop.close)
         self.viewer = desktop.Program(
             self.desktop, self.folder, VIEWER, *arguments, environment=environment)
@@ -238,6 +238,15 @@ class TestMouseAndKeys(WindowTest):
         self.assert_as_rendered(picture, view)
 
 
+    def test_small_screen(self):
+        self.start(LINES, size="1280x800")
+        picture, view = self.save()
+        self.assertEqual(picture.shape, (800, 1280 - PANEL, 3))
+        size = self.window.get_geometry()
+        self.assertEqual((size.x, size.y, size.width, size.height), (0, 0, 1280, 800))
+        self.assert_as_rendered(picture, view)
+
+
 class TestPanel(WindowTest):
     def test_buttons(self):
         self.open_lines()
@@ -287,8 +296,32 @@ class TestPanel(WindowTest):
 
 class TestFiles(WindowTest):
     def count_red(self):
-        panel = self.desktop.look_at(self.window)[:, -PANEL:]
-        return (panel == RED).all(axis=2).sum()
+        return (self.desktop.look_at(self.window) == RED).all(axis=2).sum()
+
+    def test_empty_window(self):
+        self.start("--size", "700x400")
+        desktop.wait_for(lambda: self.desktop.look_at(self.window).shape[1] == 700 + PANEL, "its size")
+        desktop.wait_for(
+            lambda: (self.desktop.look_at(self.window)[:, :700] == 255).all(axis=2).sum() > 1000, "a hint")
+        self.desktop.drop(self.window, TRACT)
+        time.sleep(1.0)
+        saved, view = self.save()
+        self.assert_as_rendered(saved, view, name=TRACT)
+        self.assertEqual(abs(self.desktop.look_at(self.window)[:, :700] - saved).max(), 0)
+
+    def test_error_without_panel(self):
+        self.open_lines()
+        self.save()
+        self.desktop.type_key(self.window, "Tab")
+        self.desktop.drop(self.window, self.folder)
+        desktop.wait_for(lambda: self.count_red() > 100, "an error")
+        self.desktop.type_key(self.window, "r")
+        desktop.wait_for(lambda: self.count_red() == 0, "no error")
+        self.desktop.type_key(self.window, "q")
+        errors = self.end()
+        self.assertTrue(errors.startswith("pellucid-view: "), errors)
+        self.assertIn(self.folder.name, errors)
+        self.assertEqual(len(errors.splitlines()), 1, errors)
 
     def test_drop(self):
         self.start("--size", "{}x{}".format(*SIZE))
@@ -340,6 +373,25 @@ class TestEnds(WindowTest):
     def test_escape(self):
         self.open_lines()
         self.save()
+        self.desktop.type_key(self.window, "Escape")
+        self.assertEqual(self.end(), "")
+
+    def test_escape_closes_a_list_first(self):
+        self.open_lines()
+        self.save()
+        self.desktop.type_key(self.window, "r")
+        time.sleep(0.5)
+        closed = self.desktop.look_at(self.window)
+        self.click_panel(METHOD)
+        self.desktop.move(*MIDDLE)
+        time.sleep(0.5)
+        opened = self.desktop.look_at(self.window)
+        self.assertGreater((opened != closed).sum(), 10000)
+        self.desktop.type_key(self.window, "Escape")
+        desktop.wait_for(
+            lambda: (self.desktop.look_at(self.window) != closed).sum() < 5000, "a closed list")
+        picture, view = self.save()
+        self.assert_as_rendered(picture, view)
         self.desktop.type_key(self.window, "Escape")
         self.assertEqual(self.end(), "")
 

@@ -29,10 +29,10 @@ def wait_for(condition, what):
 class Desktop:
     """An X server without a window manager: windows lie where, and are as large as, they ask for."""
 
-    def __init__(self, dots_per_inch=96):
+    def __init__(self, dots_per_inch=96, size="1600x1200"):
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1600x1200x24", "-nolisten", "tcp",
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24", "-nolisten", "tcp",
              "-noreset"],
             pass_fds=(writer,), stderr=subprocess.DEVNULL)
         os.close(writer)

@@ -18,6 +18,7 @@ namespace pellucid
 {
 namespace
 {
+const ImVec4 ErrorColor(1.0F, 0.45F, 0.4F, 1.0F);
 constexpr double LargestNumber = 1e6; // that a mouse can drag to; options and files may have more
 
 //------------------------------------------------------------------------------
@@ -355,7 +356,7 @@ void DrawStatistics(const FrameStatistics& statistics)
 //------------------------------------------------------------------------------
 void DrawMessages(const PanelContents& contents)
 {
-  for (const auto& [text, color] : { std::pair(&contents.Error, ImVec4(1.0F, 0.45F, 0.4F, 1.0F)),
+  for (const auto& [text, color] : { std::pair(&contents.Error, ErrorColor),
          { &contents.Unsupported, ImVec4(1.0F, 0.8F, 0.4F, 1.0F) },
          { &contents.Message, ImVec4(0.7F, 0.9F, 0.7F, 1.0F) } })
   {
@@ -366,6 +367,19 @@ void DrawMessages(const PanelContents& contents)
       ImGui::PopStyleColor();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Text that mouse and keyboard do not notice, where SetNextWindowPos() says.
+void DrawNote(const char* name, const std::string& text, float width, ImGuiWindowFlags flags)
+{
+  flags |= ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin(name, nullptr, flags);
+  ImGui::PushTextWrapPos(width - ImGui::GetStyle().WindowPadding.x);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::End();
 }
 
 //------------------------------------------------------------------------------
@@ -418,5 +432,22 @@ PanelRequest DrawPanel(
   ImGui::PopItemWidth();
   ImGui::End();
   return request;
+}
+
+//------------------------------------------------------------------------------
+void DrawHint(const std::string& text, float width)
+{
+  ImGui::SetNextWindowPos(
+    { 0.5F * width, 0.5F * ImGui::GetIO().DisplaySize.y }, ImGuiCond_Always, { 0.5F, 0.5F });
+  DrawNote("hint", text, width, ImGuiWindowFlags_NoBackground);
+}
+
+//------------------------------------------------------------------------------
+void DrawError(const std::string& text, float width)
+{
+  ImGui::SetNextWindowPos({ 0.0F, 0.0F });
+  ImGui::PushStyleColor(ImGuiCol_Text, ErrorColor);
+  DrawNote("error", MakePrintable(text), width, ImGuiWindowFlags_None);
+  ImGui::PopStyleColor();
 }
 }

@@ -38,6 +38,12 @@ constexpr int PanelWidth = 300;
  */
 PanelRequest DrawPanel(
   ViewedScene& scene, double& fadeTime, const PanelContents& contents, float width);
+
+/** Over the middle of a picture that shows nothing yet, `width` wide. */
+void DrawHint(const std::string& text, float width);
+
+/** Over the top of the picture, `width` wide, where there is no panel: what could not be done. */
+void DrawError(const std::string& text, float width);
 }
 
 #endif

@@ -8,6 +8,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 namespace pellucid
 {
 namespace
@@ -45,6 +47,33 @@ GLFWwindow* Open(const std::array<int, 2>& size, bool isVisible)
     }
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+struct Area
+{
+  std::array<int, 2> Position;
+  std::array<int, 2> Size;
+};
+
+//------------------------------------------------------------------------------
+// Where the inside of a window can lie on the first monitor, beside the bars of the desktop.
+Area GetRoom(GLFWwindow* handle)
+{
+  Area area = {};
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+  {
+    glfwGetMonitorWorkarea(
+      monitor, &area.Position[0], &area.Position[1], &area.Size[0], &area.Size[1]);
+  }
+  std::array<int, 4> frame = {}; // left, top, right, bottom
+  glfwGetWindowFrameSize(handle, &frame[0], &frame[1], &frame[2], &frame[3]);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    area.Position[axis] += frame[axis];
+    area.Size[axis] -= frame[axis] + frame[axis + 2];
+  }
+  return area;
 }
 }
 
@@ -159,8 +188,25 @@ std::array<int, 2> GLWindow::GetSize() const
 void GLWindow::SetSize(const std::array<int, 2>& size)
 {
   const float density = this->GetDensity();
-  glfwSetWindowSize(
-    this->Handle, static_cast<int>(size[0] / density), static_cast<int>(size[1] / density));
+  const std::array<int, 2> wanted = { static_cast<int>(size[0] / density),
+    static_cast<int>(size[1] / density) };
+  const Area area = GetRoom(this->Handle);
+  if (area.Size[0] <= 0 || area.Size[1] <= 0)
+  {
+    glfwSetWindowSize(this->Handle, wanted[0], wanted[1]);
+    return;
+  }
+  const std::array<int, 2> given = { std::min(wanted[0], area.Size[0]),
+    std::min(wanted[1], area.Size[1]) };
+  std::array<int, 2> position = { 0, 0 };
+  glfwGetWindowPos(this->Handle, &position[0], &position[1]);
+  glfwSetWindowSize(this->Handle, given[0], given[1]);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int last = area.Position[axis] + area.Size[axis] - given[axis];
+    position[axis] = std::clamp(position[axis], area.Position[axis], last);
+  }
+  glfwSetWindowPos(this->Handle, position[0], position[1]);
 }
 
 //------------------------------------------------------------------------------

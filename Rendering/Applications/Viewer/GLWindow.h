@@ -56,7 +56,10 @@ public:
   bool IsCurrent() const;
 
   ///@{
-  /** Width and height in pixels; 0 while minimised. The desktop may give another size. */
+  /**
+   * Width and height in pixels; 0 while minimised. A window is made no larger than the first
+   * monitor has room for, and moved into it; the desktop may give another size.
+   */
   void SetSize(const std::array<int, 2>& size);
   std::array<int, 2> GetSize() const;
   ///@}

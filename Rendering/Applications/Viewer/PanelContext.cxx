@@ -72,6 +72,17 @@ void PanelContext::EndFrame()
 }
 
 //------------------------------------------------------------------------------
+bool PanelContext::CloseLists()
+{
+  if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+  {
+    return false;
+  }
+  ImGui::SetWindowFocus(nullptr); // a list without focus closes
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool PanelContext::WantsMouse() const
 {
   return ImGui::GetIO().WantCaptureMouse;

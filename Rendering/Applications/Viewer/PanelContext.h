@@ -29,6 +29,9 @@ public:
   /** Draw all since BeginFrame() into the framebuffer that is bound. */
   void EndFrame();
 
+  /** Close the lists that are open; whether there was one. */
+  bool CloseLists();
+
   /** Whether the mouse, or the keyboard, is the panel's at the moment. */
   bool WantsMouse() const;
   bool WantsKeyboard() const;

@@ -10,11 +10,13 @@
 
 namespace pellucid
 {
+const char* const Controls =
+  R"(Mouse: left turns, middle (or Shift and left) shifts, right or the wheel zooms.
+Keys:  R resets the view, S saves the picture, Tab hides the panel, Q or Escape ends.)";
+
 namespace
 {
-constexpr const char* Controls = R"(
-Mouse: left turns, middle (or Shift and left) shifts, right or the wheel zooms.
-Keys:  R resets the view, S saves the picture, Tab hides the panel, Q or Escape ends.
+constexpr const char* Examples = R"(
 Files that are dropped onto the window are opened in place of what is there.
 
 Examples:
@@ -29,7 +31,7 @@ RenderOptions ParseViewCommandLine(int argc, char* argv[], std::optional<int>& e
   RenderOptions options;
   CLI::App app("Look at trajectories, points and surfaces with exact transparency.", ProgramName);
   app.add_option("input", options.Inputs, "Files to draw")->type_name("[INPUT...]");
-  app.footer(DescribeInputs() + Controls);
+  app.footer(DescribeInputs() + "\n" + Controls + Examples);
   OptionGroup window(app, "Window");
   AddFrameOptions(window, options);
   AddMethodOptions(window, options);

@@ -12,6 +12,9 @@
 
 namespace pellucid
 {
+/** What the mouse and the keys do, in lines. */
+extern const char* const Controls;
+
 /**
  * The options of a command line; the output is empty where a window is to be shown. Where the
  * program has nothing left to do (help, version, or an error, which is printed), `exitCode` is set:

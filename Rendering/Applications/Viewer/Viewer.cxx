@@ -6,7 +6,9 @@
 #include "MessageLog.h"
 #include "PictureFile.h"
 #include "PictureWindow.h"
+#include "Program.h"
 #include "RenderError.h"
+#include "ViewOptions.h"
 
 #include "vtkExactTransparencyPass.h"
 
@@ -53,14 +55,10 @@ Viewer::Viewer(const RenderOptions& options)
     this->Scene.Open();
     this->ShowScene();
   }
-  else
-  {
-    this->Contents.Message = "Drop a file onto this window to open it.";
-  }
 }
 
 //------------------------------------------------------------------------------
-// Do the work; where it fails the panel says why, and the program goes on.
+// Do the work; where it fails the window says why, and the program goes on.
 template <typename Work>
 void Viewer::Try(const Work& work)
 {
@@ -73,13 +71,24 @@ void Viewer::Try(const Work& work)
   }
   catch (const std::bad_alloc&)
   {
-    this->Contents.Error = "out of memory; the input may be damaged, or too large";
+    this->ShowError("out of memory; the input may be damaged, or too large");
   }
   catch (const std::exception& error)
   {
-    this->Contents.Error = error.what();
+    this->ShowError(error.what());
   }
   this->OnRefresh();
+}
+
+//------------------------------------------------------------------------------
+// In the window, and once on the terminal.
+void Viewer::ShowError(const std::string& text)
+{
+  if (text != this->Contents.Error)
+  {
+    PrintError(text);
+  }
+  this->Contents.Error = text;
 }
 
 //------------------------------------------------------------------------------
@@ -169,18 +178,42 @@ void Viewer::DrawFrame()
   const int panelWidth = this->GetPanelWidth();
   this->Scene.SetSize(pixels[0] - panelWidth, pixels[1]);
   this->View.SetSize(pixels[0] - panelWidth, pixels[1]);
-  this->DrawView();
+  try
+  {
+    this->DrawView();
+  }
+  catch (const RenderError& error)
+  {
+    this->ShowError(error.what());
+  }
 
   this->Panel.BeginFrame();
-  PanelRequest request;
-  if (this->IsPanelShown)
-  {
-    request = DrawPanel(this->Scene, this->FadeTime, this->Contents,
-      static_cast<float>(panelWidth) / this->Window.GetDensity());
-  }
+  const PanelRequest request = this->DrawControls();
   this->Panel.EndFrame();
   this->Window.SwapBuffers();
   this->Obey(request);
+}
+
+//------------------------------------------------------------------------------
+// The panel, and what is said over the picture.
+PanelRequest Viewer::DrawControls()
+{
+  const float density = this->Window.GetDensity(); // the panel knows units of the desktop
+  const auto panelWidth = static_cast<float>(this->GetPanelWidth()) / density;
+  const float pictureWidth = static_cast<float>(this->Window.GetSize()[0]) / density - panelWidth;
+  if (!this->Scene.GetRenderer())
+  {
+    DrawHint(std::string("Drop files here to open them.\n\n") + Controls, pictureWidth);
+  }
+  if (this->IsPanelShown)
+  {
+    return DrawPanel(this->Scene, this->FadeTime, this->Contents, panelWidth);
+  }
+  if (!this->Contents.Error.empty())
+  {
+    DrawError(this->Contents.Error, pictureWidth);
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -206,9 +239,9 @@ void Viewer::DrawView()
   this->Contents.Statistics.Stages.emplace_back("frame", elapsed.count());
   if (log.HasErrors())
   {
-    this->Contents.Error = "the picture cannot be drawn: " + log.GetFirstError();
+    throw RenderError("the picture cannot be drawn: " + log.GetFirstError());
   }
-  else if (log.HasWarnings())
+  if (log.HasWarnings())
   {
     log.PrintWarnings();
     this->Contents.Error = log.TakePrintedWarning();
@@ -357,8 +390,13 @@ void Viewer::OnKey(int key)
     case GLFW_KEY_TAB:
       this->IsPanelShown = !this->IsPanelShown;
       break;
-    case GLFW_KEY_Q:
     case GLFW_KEY_ESCAPE:
+      if (!this->Panel.CloseLists())
+      {
+        this->Window.Close();
+      }
+      break;
+    case GLFW_KEY_Q:
       this->Window.Close();
       break;
     default:

@@ -37,10 +37,12 @@ private:
   template <typename Work>
   void Try(const Work& work);
 
+  void ShowError(const std::string& text);
   void CheckOpenGL();
   void OpenDropped();
   void DrawFrame();
   void DrawView();
+  PanelRequest DrawControls();
   void Obey(const PanelRequest& request);
   void ShowScene();
   void TakeStatistics();
