@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wheel's examples and program draw what the build for Debian's VTK has drawn, bit by bit.
 
+The examples draw the pictures of README.md.
+
 PELLUCID_EXPECTED is the folder with those pictures; `TestExamples.py draw PROGRAM` makes the program's.
 """
 
@@ -11,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+
+from pictures import assert_same_picture, read_png
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "Rendering/Python/Examples").glob("*.py"))
@@ -41,7 +45,6 @@ class TestExamples(unittest.TestCase):
         self.assertNotRegex(done.stderr, r"ERR\||WARN\||Traceback|Mesa: ")
         found = (self.folder / name).read_bytes()
         if found != (self.expected / name).read_bytes():
-            from pictures import read_png
             difference = abs(read_png(self.folder / name) - read_png(self.expected / name))
             # Writers of PNG differ; what they write does not.
             self.assertEqual(difference.max(), 0, f"{name}: {(difference > 0).mean():.2%} differ")
@@ -52,6 +55,7 @@ class TestExamples(unittest.TestCase):
             with self.subTest(example=example.name):
                 name = example.with_suffix(".png").name
                 self.assert_draws([sys.executable, str(example), str(self.folder / name)], name)
+                assert_same_picture(ROOT / "Data/Pictures" / f"example-{name}", self.folder / name)
 
     def test_program(self):
         program = str(pathlib.Path(sys.executable).with_name("pellucid-render"))

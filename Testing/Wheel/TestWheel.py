@@ -72,6 +72,13 @@ class TestWheel(unittest.TestCase):
         self.assertEqual(
             sorted(importlib.metadata.requires("pellucid")), ["numpy", f"vtk=={VTK_VERSION}"])
 
+    def test_description_is_whole_without_our_files(self):
+        metadata = importlib.metadata.metadata("pellucid")
+        self.assertEqual(metadata["Description-Content-Type"], "text/markdown")
+        text = metadata.get_payload() or metadata["Description"]
+        self.assertIn("pellucid.install(plotter)", text)
+        self.assertNotRegex(text, r"\]\((?!https://)")
+
     def test_no_path_of_the_build(self):
         for file in self.files:
             if file.endswith(".so") or "/bin/" in file:

@@ -28,13 +28,12 @@
 int main(int argc, char* argv[])
 {
   std::map<std::string, std::string> options = { { "--importance", "" }, { "--output", "" } };
-  bool isUsedWell = argc >= 2 && argc % 2 == 0;
-  for (int i = 2; isUsedWell && i < argc; i += 2)
+  int next = 2;
+  for (; next + 1 < argc && options.count(argv[next]) == 1; next += 2)
   {
-    isUsedWell = options.count(argv[i]) == 1;
-    options[argv[i]] = argv[i + 1];
+    options[argv[next]] = argv[next + 1];
   }
-  if (!isUsedWell)
+  if (argc < 2 || next < argc)
   {
     std::cerr << "Usage: translucent-lines FILE.vtk [--importance ARRAY] [--output PICTURE.png]\n";
     return EXIT_FAILURE;
@@ -47,12 +46,12 @@ int main(int argc, char* argv[])
     std::cerr << argv[1] << ": expected a legacy VTK file of poly data with lines\n";
     return EXIT_FAILURE;
   }
-
   vtkNew<vtkTrajectoryMapper> mapper; // lines as tubes, ray-cast; any mapper of VTK works too
   mapper->SetInputConnection(reader->GetOutputPort());
+  mapper->SetScalarRange(reader->GetOutput()->GetScalarRange()); // of the active array, in colours
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetOpacity(0.3);
+  actor->GetProperty()->SetOpacity(options["--importance"].empty() ? 0.4 : 1.0);
 
   // Optional: what hides the larger values of an array fades, found anew for every view.
   vtkNew<vtkImportance> importance;
@@ -69,11 +68,11 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE; // vtkImportance has said why
     }
     mapper->SetInputConnection(segments->GetOutputPort());
-    actor->GetProperty()->SetOpacity(1);
     vtkImportanceDrivenOpacity::Attach(actor, optimization);
   }
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
+  renderer->SetBackground(1, 1, 1);
   vtkTransparencyInstaller::Install(renderer); // the one call that makes the renderer exact
   vtkNew<vtkRenderWindow> window;
   window->SetSize(640, 480);
@@ -84,8 +83,7 @@ int main(int argc, char* argv[])
   {
     vtkNew<vtkRenderWindowInteractor> interactor;
     interactor->SetRenderWindow(window);
-    vtkNew<vtkInteractorStyleTrackballCamera> style;
-    interactor->SetInteractorStyle(style);
+    interactor->SetInteractorStyle(vtkNew<vtkInteractorStyleTrackballCamera>());
     interactor->Start();
     return EXIT_SUCCESS;
   }
@@ -95,5 +93,7 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(picture->GetOutputPort());
   writer->SetFileName(options["--output"].c_str());
   writer->Write();
-  return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool isWritten = writer->GetErrorCode() == 0;
+  std::cerr << (isWritten ? "" : options["--output"] + ": cannot be written\n");
+  return isWritten ? EXIT_SUCCESS : EXIT_FAILURE;
 }

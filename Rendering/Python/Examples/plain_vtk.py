@@ -22,15 +22,15 @@ renderer.SetBackground(1, 1, 1)
 pellucid.add_lines(
     renderer, reader.GetOutput(), radius=0.08, scalars="Density", clim=(0.2, 0.4), opacity=0.5)
 camera = renderer.GetActiveCamera()
-camera.SetPosition(4, -22, 36)
-camera.SetFocalPoint(7.8, 0, 29.8)
+camera.SetPosition(5, -24, 37)
+camera.SetFocalPoint(8.2, 0, 29.6)
 camera.SetViewUp(0, 0, 1)
 renderer.ResetCameraClippingRange()
 
 window = vtkRenderWindow()
 window.SetOffScreenRendering(True)
 window.SetMultiSamples(0)
-window.SetSize(480, 360)
+window.SetSize(360, 270)
 window.AddRenderer(renderer)
 window.Render()
 

@@ -18,10 +18,10 @@ low, high = numpy.reshape(office.bounds, (3, 2)).T
 cloud = pyvista.PolyData(random.uniform(low, high, (20000, 3))).sample(office)
 speed = numpy.linalg.norm(cloud["Velocity"], axis=1)
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(480, 360))
+plotter = pyvista.Plotter(off_screen=True, window_size=(360, 270))
 pellucid.add_points(
     plotter, cloud.points, radius=0.06, scalars=speed, clim=(0, 0.3), cmap="plasma",
     show_scalar_bar=False, importance=speed, importance_range=(0.1, 0.25))
 plotter.camera_position = [(5, -14, 7), (2.25, 2.25, 1.25), (0, 0, 1)]
-plotter.camera.zoom(2.2)
+plotter.camera.zoom(1.9)
 plotter.screenshot(sys.argv[1])

@@ -16,9 +16,9 @@ combustor = pyvista.read(DATA / "combustor.vtk")
 seeds = pyvista.PolyData(numpy.array(combustor.points[::12]))
 lines = combustor.streamlines_from_source(seeds, "Velocity")
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(480, 360))
+plotter = pyvista.Plotter(off_screen=True, window_size=(360, 270))
 pellucid.add_lines(
     plotter, lines, radius=0.06, scalars="Velocity", cmap="plasma", clim=(0, 1300), opacity=0.4,
     show_scalar_bar=False)
-plotter.camera_position = [(4, -22, 36), (7.8, 0, 29.8), (0, 0, 1)]
+plotter.camera_position = [(5, -24, 37), (8.2, 0, 29.6), (0, 0, 1)]
 plotter.screenshot(sys.argv[1])

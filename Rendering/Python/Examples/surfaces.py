@@ -17,7 +17,7 @@ shells = combustor.contour([0.22, 0.36], scalars="Density")
 seeds = pyvista.PolyData(numpy.array(combustor.points[::40]))
 lines = combustor.streamlines_from_source(seeds, "Velocity")
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(480, 360))
+plotter = pyvista.Plotter(off_screen=True, window_size=(360, 270))
 plotter.add_mesh(shells, scalars="Density", cmap="coolwarm", opacity=0.4,
                  smooth_shading=True, show_scalar_bar=False)
 pellucid.add_lines(plotter, lines, radius=0.05, color="gold")

@@ -22,7 +22,7 @@ directions = numpy.gradient(fornix.points, axis=0)
 lengths = numpy.linalg.norm(directions, axis=1, keepdims=True)
 fornix["Directions"] = (255 * numpy.abs(directions / lengths)).astype(numpy.uint8)
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(480, 360))
+plotter = pyvista.Plotter(off_screen=True, window_size=(360, 270))
 plotter.background_color = "black"
 pellucid.add_lines(plotter, fornix, radius=0.4, scalars="Directions", rgb=True, opacity=0.4)
 plotter.camera_position = "yz"

@@ -22,7 +22,7 @@ importance.AddCriterion("TotalPressureDifference", 200, 550)
 importance.Update()
 air = pyvista.wrap(importance.GetOutput())
 
-plotter = pyvista.Plotter(off_screen=True, window_size=(720, 260))
+plotter = pyvista.Plotter(off_screen=True, window_size=(480, 180))
 pellucid.add_lines(
     plotter, air, radius=0.25, scalars="pressure", clim=(400, 1000), cmap="coolwarm",
     show_scalar_bar=False, importance="Importance", preset="clear-back")
