@@ -14,8 +14,6 @@ import sys
 import tempfile
 import unittest
 
-from pictures import assert_same_picture, read_png
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "Rendering/Python/Examples").glob("*.py"))
 VIEWS = {
@@ -45,11 +43,13 @@ class TestExamples(unittest.TestCase):
         self.assertNotRegex(done.stderr, r"ERR\||WARN\||Traceback|Mesa: ")
         found = (self.folder / name).read_bytes()
         if found != (self.expected / name).read_bytes():
+            from pictures import read_png
             difference = abs(read_png(self.folder / name) - read_png(self.expected / name))
             # Writers of PNG differ; what they write does not.
             self.assertEqual(difference.max(), 0, f"{name}: {(difference > 0).mean():.2%} differ")
 
     def test_examples(self):
+        from pictures import assert_same_picture
         self.assertGreaterEqual(len(EXAMPLES), 6)
         for example in EXAMPLES:
             with self.subTest(example=example.name):
