@@ -281,7 +281,7 @@ double vtkTrajectorySegments::ChooseLength(const std::vector<Leaf>& leaves) cons
     box.AddBox(leaf.Box);
   }
   // In another order of the lines, the sum would be rounded to another one.
-  std::sort(lengths.begin(), lengths.end());
+  vtkSMPTools::Sort(lengths.begin(), lengths.end());
   const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   if (this->NumberOfSegments > 0)
   {

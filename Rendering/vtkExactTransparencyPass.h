@@ -44,16 +44,18 @@
  * exponent) and a 32-bit float depth. Compositing is in single precision and stops where the rest
  * of a list weighs less than 1/8192, a thirtieth of an 8-bit step.
  *
- * Choices. Each was measured beside others on Mesa's software renderer; Testing/Benchmark/README.md has
- * the figures, by which one that is never the best has been left out. None was measured on a GPU.
- * - Store: linked lists. Arrays of the right length need the geometry twice, which took 1.4 to 1.8 times
- *   as long in the median, to save 4 bytes of 16 for each fragment.
- * - Sort, by the length of each list: up to 16 fragments by insertion, more by merging runs of 16, and
- *   above 2048 on the CPU, since software renderers end shaders after some 65,000 loop iterations.
- * - Node format: 64 bits for colour and opacity. With 8 bits of opacity the RMSE rises by up to 0.18 of
- *   255 for the same time; 128 bits take half as much memory again and show nothing more.
- * - Geometry: trajectories are ray-cast, a point sprite for each segment up to 12 pixels wide and each
- *   ball up to 32, else a quad: 0.8 of the time of quads alone.
+ * Choices. Each was measured beside others on Mesa's software renderer; Testing/Benchmark/README.md
+ * has the figures, by which one that is never the best has been left out. None was measured on a
+ * GPU.
+ * - Store: linked lists. Arrays of the right length need the geometry twice, which took 1.4 to 1.8
+ * times as long in the median, to save 4 bytes of 16 for each fragment.
+ * - Sort, by the length of each list: up to 16 fragments by insertion, more by merging runs of 16,
+ * and above 2048 on the CPU, since software renderers end shaders after some 65,000 loop
+ * iterations.
+ * - Node format: 64 bits for colour and opacity. With 8 bits of opacity the RMSE rises by up to
+ * 0.18 of 255 for the same time; 128 bits take half as much memory again and show nothing more.
+ * - Geometry: trajectories are ray-cast, a point sprite for each segment up to 12 pixels wide and
+ * each ball up to 32, else a quad: 0.8 of the time of quads alone.
  *
  * A picture that is larger than the window (vtkWindowToImageFilter::SetScale(), ParaView's large
  * screenshots) comes in parts: they all take the optimised opacities of the last frame that showed

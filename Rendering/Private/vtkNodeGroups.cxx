@@ -15,12 +15,22 @@ namespace
 {
 using Point = std::array<double, 3>;
 
-Point GetPoint(const vtkTrajectoryNodes::Node& node)
+Point GetPoint(const vtkTrajectoryNodes& nodes, vtkIdType i)
 {
-  return { { node[0], node[1], node[2] } };
+  const vtkTrajectoryNodes::Node& node = nodes.GetNodes()[i];
+  Point point{ { node[0], node[1], node[2] } };
+  if (!nodes.GetRemainders().empty())
+  {
+    const vtkTrajectoryNodes::Node& remainder = nodes.GetRemainders()[i];
+    for (int c = 0; c < 3; ++c)
+    {
+      point[c] += remainder[c];
+    }
+  }
+  return point;
 }
 
-// How much longer than 1 a unit vector may become. Exact where a matrix turns and scales evenly.
+// A bound of the length that unit vectors get; exact where a matrix turns and scales evenly.
 double GetLargestStretch(const vtkMatrix4x4* transposed)
 {
   double largest = 0.0;
@@ -66,17 +76,19 @@ void vtkNodeGroups::Build(const vtkTrajectoryNodes& nodes)
   for (vtkIdType i = 0; i < count; ++i)
   {
     Group& group = this->Groups[i / GroupSize];
-    Point point = GetPoint(all[i]);
+    Point point = GetPoint(nodes, i);
+    double radius = std::abs(all[i][3]);
     group.Points.AddPoint(point.data());
-    group.LargestRadius = std::max<double>(group.LargestRadius, std::abs(all[i][3]));
     if (all[i][3] < 0.0f && i + 1 < count)
     {
-      Point next = GetPoint(all[i + 1]);
+      Point next = GetPoint(nodes, i + 1);
       group.Points.AddPoint(next.data());
-      group.LargestRadius = std::max<double>(group.LargestRadius, std::abs(all[i + 1][3]));
-      group.LongestSegment = std::max(group.LongestSegment,
-        std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), next.data())));
+      const double length = std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), next.data()));
+      radius = std::max<double>(radius, std::abs(all[i + 1][3]));
+      group.LongestSegment = std::max(group.LongestSegment, length);
+      group.LargestAspect = std::max(group.LargestAspect, length / radius);
     }
+    group.LargestRadius = std::max(group.LargestRadius, radius);
   }
 }
 
@@ -86,6 +98,12 @@ void vtkNodeGroups::Update(const View& view)
   const double stretch = GetLargestStretch(view.NodeToView);
   std::transform(this->Groups.begin(), this->Groups.end(), this->Shapes.begin(),
     [&](const Group& group) { return ChooseShape(group, view, stretch); });
+  if (view.HasOneShape)
+  {
+    const bool areSprites = std::all_of(
+      this->Shapes.begin(), this->Shapes.end(), [](Shape shape) { return shape == Shape::Sprite; });
+    this->Shapes.assign(this->Shapes.size(), areSprites ? Shape::Sprite : Shape::Quad);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -120,8 +138,7 @@ vtkNodeGroups::Shape vtkNodeGroups::ChooseShape(
   const double width = view.Parallel
     ? 2.0 * half * view.PixelsPerUnit
     : 2.0 * half * view.PixelsPerUnit * (1.0 + view.LargestSlope) / (nearest - half);
-  const double largest =
-    stretch * group.LongestSegment <= group.LargestRadius ? LargestSprite : LargestLongSprite;
+  const double largest = stretch * group.LargestAspect <= 1.0 ? LargestSprite : LargestLongSprite;
   const bool small = width <= largest && (view.Parallel || nearest > 2.0 * half);
   return small && view.HasSprites ? Shape::Sprite : Shape::Quad;
 }

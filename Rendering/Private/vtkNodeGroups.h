@@ -10,7 +10,7 @@
  * software renderer, 100,000 segments of 3 pixels: 0.75 of the time that quads take. Longer
  * segments are quads, since a square around a slanted one is mostly empty.
  *
- * Cost: one pass over the nodes when they change, 80 bytes for each group; eight corners of each
+ * Cost: one pass over the nodes when they change, 72 bytes for each group; eight corners of each
  * group for each view.
  */
 
@@ -49,12 +49,13 @@ public:
     double PixelsPerUnit = 0.0; ///< at distance 1 from the eye; in parallel projection everywhere
     double LargestSlope =
       0.0; ///< the tangent of the angle between the middle and a corner of the view
-    bool HasSprites = true; ///< whether OpenGL can draw them exactly
+    bool HasSprites = true;   ///< whether OpenGL can draw them exactly
+    bool HasOneShape = false; ///< for all nodes, also those outside: sprites if these can show all
   };
 
   ///@{
-  /** Sprites are at most as wide, in pixels: where segments are not longer than their radius, which
-   * fill a square, and else. OpenGL implementations allow 63 and more. */
+  /** Sprites are at most as wide, in pixels: where segments are not longer than their radius, and
+   * so fill a square, and else. OpenGL implementations allow 63 and more. */
   static constexpr double LargestSprite = 32.0;
   static constexpr double LargestLongSprite = 12.0;
   ///@}
@@ -98,6 +99,7 @@ private:
     vtkBoundingBox Points; ///< of its nodes, and of the one that its last segment leads to
     double LongestSegment = 0.0;
     double LargestRadius = 0.0;
+    double LargestAspect = 0.0; ///< length of a segment by the larger one of its radii
   };
 
   static Shape ChooseShape(const Group& group, const View& view, double stretch);

@@ -300,7 +300,7 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
 
   this->UpdateMatrices(renderer, actor);
   this->UpdateCutOpen();
-  this->UpdateShapes(renderer);
+  this->UpdateShapes(renderer, actor);
 }
 
 //------------------------------------------------------------------------------
@@ -451,10 +451,12 @@ void vtkRoundedConeMapper::DrawNodes(vtkNodeGroups::Shape shape, vtkIdType first
 {
   if (shape == vtkNodeGroups::Shape::Sprite)
   {
-    this->GetHelper(shape).VAO->Bind(); // new shaders have released it
+    // For a program without indices VTK has a new vertex array each time, and does not bind it.
+    this->GetHelper(shape).VAO->Bind();
+    const vtkProgramPointSize pointSize;
     this->Groups.ForEach(shape, first, last,
       [](vtkIdType begin, vtkIdType end)
-      { vtkDrawPoints(static_cast<GLint>(begin), static_cast<GLsizei>(end - begin)); });
+      { glDrawArrays(GL_POINTS, static_cast<GLint>(begin), static_cast<GLsizei>(end - begin)); });
     return;
   }
   vtkOpenGLIndexBufferObject* indices = this->GetHelper(shape).IBO;
@@ -703,7 +705,7 @@ std::array<vtkNodeGroups::Plane, 6> vtkRoundedConeMapper::GetFrustum() const
 }
 
 //------------------------------------------------------------------------------
-void vtkRoundedConeMapper::UpdateShapes(vtkRenderer* renderer)
+void vtkRoundedConeMapper::UpdateShapes(vtkRenderer* renderer, vtkActor* actor)
 {
   int viewport[4];
   GetViewport(renderer, viewport);
@@ -711,25 +713,29 @@ void vtkRoundedConeMapper::UpdateShapes(vtkRenderer* renderer)
   view.NodeToView = this->NodeToView;
   view.Frustum = this->GetFrustum();
   view.Parallel = this->Parallel;
+  const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
+  const double scale = this->Parallel ? w[3] : std::hypot(w[0], w[1], w[2]);
   for (int i = 0; i < 2; ++i)
   {
     const std::array<double, 4> row = ClipRow(this->ViewToClip, i);
-    view.PixelsPerUnit =
-      std::max(view.PixelsPerUnit, 0.5 * viewport[2 + i] * std::hypot(row[0], row[1], row[2]));
+    view.PixelsPerUnit = std::max(
+      view.PixelsPerUnit, 0.5 * viewport[2 + i] * std::hypot(row[0], row[1], row[2]) / scale);
   }
   for (int corner = 0; corner < 4; ++corner)
   {
-    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, 0.0, 1.0 };
     const std::array<double, 3> point = TransformPoint(clip, this->ClipToView);
     view.LargestSlope =
       std::max(view.LargestSlope, std::hypot(point[0], point[1]) / std::abs(point[2]));
   }
-  // With samples, a sprite covers some that the quad does not. The width of slanted segments is
-  // more than that of their group.
+  // With samples, a sprite covers some that the quad does not. The box around a slanted quad is up
+  // to 1.6 times as wide as its group is taken for.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
   view.HasSprites =
-    samples == 0 && vtkGetLargestSquarePoint() >= 1.5 * vtkNodeGroups::LargestSprite;
+    samples == 0 && vtkGetLargestSquarePoint() >= 1.6 * vtkNodeGroups::LargestSprite;
+  vtkInformation* keys = actor->GetPropertyKeys();
+  view.HasOneShape = keys && keys->Has(DRAWN_NODES());
   this->Groups.Update(view);
 }
 
@@ -752,11 +758,11 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
   program->SetUniformMatrix("pixelVCMatrix", this->GetPixelToView(renderer));
   program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
+  const std::array<vtkNodeGroups::Plane, 6> planes = this->GetFrustum();
   float frustum[6][4];
   for (int i = 0; i < 6; ++i)
   {
-    const vtkNodeGroups::Plane plane = this->GetFrustum()[i];
-    std::copy(plane.begin(), plane.end(), frustum[i]);
+    std::copy(planes[i].begin(), planes[i].end(), frustum[i]);
   }
   program->SetUniform4fv("frustumVC", 6, frustum);
   if (program->IsUniformUsed("viewportSize"))

@@ -43,7 +43,8 @@ public:
   vtkTypeMacro(vtkRoundedConeMapper, vtkOpenGLPolyDataMapper);
 
   /** In the property keys of an actor: the first of the nodes to draw, and the end of them. Without
-   * it all are drawn. For render passes that draw the nodes part by part. */
+   * it all are drawn. For render passes that draw the nodes part by part, or in another order: all
+   * have one shape then. */
   static vtkInformationIntegerVectorKey* DRAWN_NODES();
 
   /** How nodes get their colour. */
@@ -112,7 +113,7 @@ private:
   void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
   void UpdateCutOpen();
-  void UpdateShapes(vtkRenderer* renderer);
+  void UpdateShapes(vtkRenderer* renderer, vtkActor* actor);
   std::array<vtkNodeGroups::Plane, 6> GetFrustum() const;
   void DrawShape(vtkNodeGroups::Shape shape, vtkRenderer* renderer, vtkActor* actor);
   void DrawNodes(vtkNodeGroups::Shape shape, vtkIdType first, vtkIdType last);

@@ -11,26 +11,40 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/** The side, in pixels, that points may have to be squares in the current framebuffer. With samples
- * and in the compatibility profile they are discs: 0. */
+/** The side, in pixels, that they may have: 0 in the compatibility profile, where points may be
+ * discs. */
 inline float vtkGetLargestSquarePoint()
 {
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
   GLint profile = 0;
   glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
   GLfloat sizes[2] = { 0.0f, 0.0f };
   glGetFloatv(GL_POINT_SIZE_RANGE, sizes);
-  return samples == 0 || (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0 ? sizes[1] : 0.0f;
+  return (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0 ? sizes[1] : 0.0f;
 }
 
-/** Draw `count` points from vertex `first` on, whose size the current vertex shader sets. */
-inline void vtkDrawPoints(GLint first, GLsizei count)
+/** While it lives, vertex shaders set the size of points. vtkOpenGLState does not know of this
+ * state. */
+class vtkProgramPointSize
 {
-  glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, first, count);
-  glDisable(GL_PROGRAM_POINT_SIZE);
-}
+public:
+  vtkProgramPointSize()
+    : WasEnabled(glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE)
+  {
+    glEnable(GL_PROGRAM_POINT_SIZE);
+  }
+  ~vtkProgramPointSize()
+  {
+    if (!this->WasEnabled)
+    {
+      glDisable(GL_PROGRAM_POINT_SIZE);
+    }
+  }
+  vtkProgramPointSize(const vtkProgramPointSize&) = delete;
+  void operator=(const vtkProgramPointSize&) = delete;
+
+private:
+  bool WasEnabled;
+};
 
 VTK_ABI_NAMESPACE_END
 #endif

@@ -25,8 +25,12 @@ void vtkStageDraw::DrawPoints(vtkOpenGLRenderWindow* window, GLsizei points,
   const std::string& vertexShader, const std::string& fragmentShader,
   const SetUniforms& setUniforms)
 {
-  this->Run(
-    window, vertexShader, fragmentShader, setUniforms, [points] { vtkDrawPoints(0, points); });
+  this->Run(window, vertexShader, fragmentShader, setUniforms,
+    [points]
+    {
+      const vtkProgramPointSize pointSize;
+      glDrawArrays(GL_POINTS, 0, points);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -203,7 +203,7 @@ void drawSprite(Quad quad)
   low -= min(min(gl_PointSize - size, outside), mod(low, 4.0));
   // OpenGL drops points whose centre is outside the view.
   vec2 center = min(low + 0.5 * gl_PointSize, viewportSize);
-  gl_Position = vec4(2.0 * center / viewportSize - 1.0, 0.0, 1.0);
+  gl_Position = vec4(min(2.0 * center / viewportSize - 1.0, 1.0), 0.0, 1.0);
 }
 #endif
 
@@ -221,8 +221,8 @@ void main()
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
   centerVC = vec3(0.0);
-  axisVC = vec3(0.0);
-  sideVC = vec3(0.0);
+  axisVC = vec3(1.0, 0.0, 0.0);
+  sideVC = vec3(0.0, 1.0, 0.0);
   coneShape = vec3(0.0);
   startPlaneLC = NOTHING_PLANE;
   endPlaneLC = NO_PLANE;

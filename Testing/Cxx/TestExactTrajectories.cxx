@@ -157,6 +157,26 @@ bool TestSprites()
   return passed;
 }
 
+// Applications that share the context may rely on it.
+bool TestPointSizeStays()
+{
+  bool passed = true;
+  SphereScene scene(160, 120, 0, 0, 0);
+  AddLines(scene, MakeLines(10, 60, 0), 0.01, 0.4);
+  vtkTransparencyInstaller::Install(scene.Renderer);
+  scene.Window->Render();
+  for (const bool isEnabled : { true, false })
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+    scene.Window->MakeCurrent();
+    (isEnabled ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE);
+    scene.Window->Render();
+    passed &= Check((glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE) == isEnabled,
+      std::string("GL_PROGRAM_POINT_SIZE is not as it was: ") + (isEnabled ? "on" : "off"));
+  }
+  return passed;
+}
+
 // Sprites and blocks of pixels do not care where in the window the viewport lies, nor that it is no
 // multiple of them.
 bool TestViewportInsideTheWindow()
@@ -259,6 +279,26 @@ bool TestLargeCoordinates()
   return Compare(scene, "trajectories at 6.4e6");
 }
 
+// Single precision does not tell the points of either end apart.
+bool TestLargeExtent()
+{
+  SphereScene scene(320, 240, 0, 0, 0);
+  vtkSmartPointer<vtkPolyData> data = MakeLines(20, 60, 0);
+  const vtkIdType count = data->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    const double far = i < count / 2 ? -6.4e6 : 6.4e6;
+    data->GetPoints()->SetPoint(i, far + point[0], far + point[1], far + point[2]);
+  }
+  data->GetPoints()->Modified();
+  AddLines(scene, data, 0.01, 0.4);
+  scene.Renderer->ResetCamera(6.4e6 - 2, 6.4e6 + 2, 6.4e6 - 2, 6.4e6 + 2, 6.4e6 - 2, 6.4e6 + 2);
+  scene.Renderer->GetActiveCamera()->Zoom(4.0);
+  return Compare(scene, "trajectories at -6.4e6 and 6.4e6");
+}
+
 bool TestOnePixel()
 {
   SphereScene scene(1, 1, 0, 4, 0);
@@ -309,10 +349,12 @@ int TestExactTrajectories(int, char*[])
   passed &= TestDenseJoints();
   passed &= TestThinTubes();
   passed &= TestSprites();
+  passed &= TestPointSizeStays();
   passed &= TestViewportInsideTheWindow();
   passed &= TestSeamOfASharpBend();
   passed &= TestClippingPlanes();
   passed &= TestLargeCoordinates();
+  passed &= TestLargeExtent();
   passed &= TestOnePixel();
   passed &= TestSameBits();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;

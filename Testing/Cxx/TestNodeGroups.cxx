@@ -125,11 +125,16 @@ void TestShapes(Checks& checks)
   checks.True("quads are not found", groups.Has(Shape::Quad) && !groups.Has(Shape::Sprite));
 
   eye.View.HasSprites = true;
+  eye.View.HasOneShape = true;
+  checks.True("nodes have more than one shape", count(eye)[Shape::Quad] == all);
+  eye.View.HasOneShape = false;
   eye.View.Parallel = true;
   eye.View.PixelsPerUnit = 400.0;
   checks.True("parallel, 8 pixels wide, no sprites", count(eye)[Shape::Sprite] > 0);
   eye.View.PixelsPerUnit = 800.0;
-  checks.True("parallel, 16 pixels wide, sprites", count(eye)[Shape::Sprite] == 0);
+  checks.True("parallel, 16 pixels wide and short, no sprites", count(eye)[Shape::Sprite] > 0);
+  eye.View.PixelsPerUnit = 1700.0;
+  checks.True("parallel, 35 pixels wide, sprites", count(eye)[Shape::Sprite] == 0);
 }
 
 void TestRanges(Checks& checks)
