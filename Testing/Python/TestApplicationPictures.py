@@ -87,6 +87,7 @@ class TestApplicationPictures(unittest.TestCase):
         lines = "expected a legacy VTK file of poly data with lines"
         self.refuse(lines, "missing.vtk", "--output", self.picture)
         self.refuse(lines, LINES.with_name("combustor.vtk"), "--output", self.picture)
-        self.refuse("missing/lines.png: cannot be written", LINES, "--output",
-                    self.picture.with_name("missing") / "lines.png")
+        unwritable = self.picture.with_name("missing") / "lines.png"
+        result = self.run_program(LINES, "--output", unwritable)
+        self.assertEqual((result.returncode, result.stderr), (1, f"{unwritable}: cannot be written\n"))
         self.refuse("Volume", LINES, "--importance", "Volume", "--output", self.picture)

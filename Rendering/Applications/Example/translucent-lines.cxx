@@ -52,7 +52,6 @@ int main(int argc, char* argv[])
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetOpacity(options["--importance"].empty() ? 0.4 : 1.0);
-
   // Optional: what hides the larger values of an array fades, found anew for every view.
   vtkNew<vtkImportance> importance;
   vtkNew<vtkTrajectorySegments> segments;
@@ -92,6 +91,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
   writer->SetFileName(options["--output"].c_str());
+  vtkObject::GlobalWarningDisplayOff(); // VTK calls every failure a full disk
   writer->Write();
   const bool isWritten = writer->GetErrorCode() == 0;
   std::cerr << (isWritten ? "" : options["--output"] + ": cannot be written\n");
