@@ -28,6 +28,9 @@ vtkStandardNewMacro(vtkReferenceRenderer);
 
 namespace
 {
+// Of a component: half a step of 8 bits.
+constexpr double VisibleChange = 0.5 / 255.0;
+
 using Vec3 = pellucid::Vector3<double>;
 using Vec4 = pellucid::Vector4<double>;
 using Pixel = pellucid::PixelFragments<double>;
@@ -84,6 +87,7 @@ struct vtkReferenceRenderer::vtkInternals
   std::unique_ptr<pellucid::RayCaster<double>> Caster;
   vtkNew<vtkImageData> Image;
   vtkNew<vtkImageData> FragmentCounts;
+  vtkNew<vtkImageData> OrderMargins;
   vtkIdType NumberOfFragments = 0;
   vtkIdType LongestList = 0;
 
@@ -93,6 +97,7 @@ struct vtkReferenceRenderer::vtkInternals
     this->Source.reset();
     this->Image->Initialize();
     this->FragmentCounts->Initialize();
+    this->OrderMargins->Initialize();
     this->NumberOfFragments = 0;
     this->LongestList = 0;
   }
@@ -177,6 +182,9 @@ void vtkReferenceRenderer::Update()
   internals.Image->AllocateScalars(VTK_DOUBLE, 4);
   internals.FragmentCounts->SetDimensions(width, height, 1);
   internals.FragmentCounts->AllocateScalars(VTK_INT, 1);
+  internals.OrderMargins->SetDimensions(width, height, 1);
+  internals.OrderMargins->AllocateScalars(VTK_DOUBLE, 1);
+  auto* margins = static_cast<double*>(internals.OrderMargins->GetScalarPointer());
   auto* image = static_cast<double*>(internals.Image->GetScalarPointer());
   auto* counts = static_cast<int*>(internals.FragmentCounts->GetScalarPointer());
 
@@ -187,6 +195,7 @@ void vtkReferenceRenderer::Update()
       counts[index] = static_cast<int>(pixel.GetTranslucent().size());
       pixel.Fade(opacities, smoothAttributes.empty() ? Attributes() : smoothAttributes[index]);
       ApplyView(this->View, this->Layer, pixel);
+      margins[index] = pixel.GetOrderMargin(VisibleChange);
       const Vec4 color =
         pixel.Composite(Background(this->Renderer, y, height, this->TransparentBackground));
       std::copy_n(glm::value_ptr(color), 4, image + 4 * index);
@@ -213,6 +222,12 @@ vtkImageData* vtkReferenceRenderer::GetImage()
 vtkImageData* vtkReferenceRenderer::GetFragmentCounts()
 {
   return this->Internals->FragmentCounts;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkReferenceRenderer::GetOrderMargins()
+{
+  return this->Internals->OrderMargins;
 }
 
 //------------------------------------------------------------------------------

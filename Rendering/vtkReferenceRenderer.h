@@ -121,6 +121,14 @@ public:
    * whatever the view shows of them; one VTK_INT for each pixel, bottom row first. */
   vtkImageData* GetFragmentCounts();
 
+  /**
+   * How far the order of the translucent fragments of each pixel is from another one that shows:
+   * the least difference, in window depth, of two neighbours whose exchange would change the pixel
+   * by more than half a step of 8 bits; infinite without such. One VTK_DOUBLE for each pixel,
+   * bottom row first. Single precision does not resolve differences below some 1e-7.
+   */
+  vtkImageData* GetOrderMargins();
+
   /** The sum of the fragment counts. */
   vtkIdType GetNumberOfFragments();
 

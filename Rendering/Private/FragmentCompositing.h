@@ -14,6 +14,7 @@
 #include "SegmentOpacity.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -187,6 +188,29 @@ public:
     const Vector4<Real> behind =
       this->HasOpaque ? Vector4<Real>(Vector3<Real>(this->Opaque.color), Real(1)) : background;
     return Vector4<Real>(color, 1 - transmittance) + transmittance * behind;
+  }
+
+  /**
+   * The least difference of depth of two neighbours among the sorted fragments whose exchange would
+   * change a component of the pixel by more than `visible`; infinite without such.
+   */
+  Real GetOrderMargin(Real visible) const
+  {
+    Real margin = std::numeric_limits<Real>::infinity();
+    Real transmittance = 1;
+    for (std::size_t i = 1; i < this->Translucent.size(); ++i)
+    {
+      const auto& front = this->Translucent[i - 1];
+      const auto& back = this->Translucent[i];
+      const Real alpha = front.color.a * front.fading;
+      const Vector3<Real> difference =
+        glm::abs(Vector3<Real>(front.color) - Vector3<Real>(back.color));
+      const Real change = transmittance * alpha * back.color.a * back.fading *
+        std::max({ difference.r, difference.g, difference.b });
+      margin = change > visible ? std::min(margin, back.depth - front.depth) : margin;
+      transmittance *= 1 - alpha;
+    }
+    return margin;
   }
 
 private:

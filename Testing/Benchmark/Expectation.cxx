@@ -43,6 +43,7 @@ Expectation DrawExpectation(vtkRenderer* renderer, const std::array<int, 2>& siz
   {
     const auto reference = DrawReference(renderer, size);
     expectation.Picture.emplace(reference->GetImage(), reference->GetFragmentCounts());
+    expectation.Picture->AddOrderMargins(reference->GetOrderMargins());
     expectation.Fragments = reference->GetNumberOfFragments();
     expectation.LongestList = reference->GetLongestList();
   }
@@ -54,6 +55,7 @@ Expectation DrawExpectation(vtkRenderer* renderer, const std::array<int, 2>& siz
       camera->SetWindowCenter(2.0 * x / size[0], 2.0 * y / size[1]);
       const auto displaced = DrawReference(renderer, size);
       expectation.Picture->AddDisplaced(displaced->GetImage(), displaced->GetFragmentCounts());
+      expectation.Picture->AddOrderMargins(displaced->GetOrderMargins());
     }
   }
   camera->SetWindowCenter(0.0, 0.0);

@@ -30,6 +30,10 @@ constexpr double White = 255.0;
 // is one step of what it may show.
 constexpr double LargestChange = 2.0;
 
+// Of window depth: eight steps of single precision below 1, in which OpenGL has positions and
+// depths.
+constexpr double DepthResolution = 4.0 * std::numeric_limits<float>::epsilon();
+
 // Of the structural similarity.
 constexpr double WindowDeviation = 1.5;
 constexpr int WindowRadius = 5;
@@ -217,6 +221,21 @@ void ExpectedPicture::AddDisplaced(vtkImageData* picture, vtkImageData* counts)
   for (vtkIdType pixel = 0; pixel < here.size(); ++pixel)
   {
     if (here[pixel] != there[pixel] || IsOtherColor(colorsHere[pixel], colorsThere[pixel]))
+    {
+      this->Edges[pixel] = true;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExpectedPicture::AddOrderMargins(vtkImageData* margins)
+{
+  CheckSameSize(margins, this->Picture);
+  const auto values = vtk::DataArrayValueRange<1>(
+    vtkDoubleArray::SafeDownCast(margins->GetPointData()->GetScalars()));
+  for (vtkIdType pixel = 0; pixel < values.size(); ++pixel)
+  {
+    if (values[pixel] < DepthResolution)
     {
       this->Edges[pixel] = true;
     }

@@ -26,7 +26,8 @@ namespace benchmark
  * resolves, both sides of it are right. Such edge pixels are those of which the number changes when
  * the picture is displaced by that small part of a pixel. So are those of which the colour changes
  * by more than two steps of 8 bits: there one edge takes the place of another, two surfaces
- * intersect, or one is seen so much from its side that its shading is not resolved.
+ * intersect, or one is seen so much from its side that its shading is not resolved. And so are
+ * those where single precision does not resolve which of two fragments is in front.
  */
 class ExpectedPicture
 {
@@ -36,6 +37,10 @@ public:
 
   /** Take into account the same picture, displaced. */
   void AddDisplaced(vtkImageData* picture, vtkImageData* counts);
+
+  /** Take into account how far the order of the fragments, also of a displaced picture, is from
+   * another one that shows (vtkReferenceRenderer::GetOrderMargins()). */
+  void AddOrderMargins(vtkImageData* margins);
 
   vtkImageData* GetPicture() const { return this->Picture; }
   bool IsCovered(vtkIdType pixel) const;

@@ -50,19 +50,24 @@ vtkSmartPointer<vtkImageData> MakeShown(const Value& value, int width = Width)
 
 using Count = std::function<int(int x, int y)>;
 
-vtkSmartPointer<vtkImageData> MakeCounts(const Count& count, int width = Width)
+vtkSmartPointer<vtkImageData> MakeScalars(int type, const Value& value, int width = Width)
 {
-  auto counts = vtkSmartPointer<vtkImageData>::New();
-  counts->SetDimensions(width, Height, 1);
-  counts->AllocateScalars(VTK_INT, 1);
+  auto scalars = vtkSmartPointer<vtkImageData>::New();
+  scalars->SetDimensions(width, Height, 1);
+  scalars->AllocateScalars(type, 1);
   for (int y = 0; y < Height; ++y)
   {
     for (int x = 0; x < width; ++x)
     {
-      counts->SetScalarComponentFromDouble(x, y, 0, 0, count(x, y));
+      scalars->SetScalarComponentFromDouble(x, y, 0, 0, value(x, y));
     }
   }
-  return counts;
+  return scalars;
+}
+
+vtkSmartPointer<vtkImageData> MakeCounts(const Count& count, int width = Width)
+{
+  return MakeScalars(VTK_INT, count, width);
 }
 
 int One(int, int)
@@ -169,6 +174,17 @@ void TestEdges(Checks& checks)
     checks, "all", error.All, std::sqrt((9.0 * 6.0 + 2.0 * 200.0 * 200.0) / Width), 200.0);
 }
 
+void TestUnresolvedOrder(Checks& checks)
+{
+  ExpectedPicture expected = MakeExpected(Pattern);
+  expected.AddOrderMargins(
+    MakeScalars(VTK_DOUBLE, [](int x, int) { return x == 3 ? 3e-7 : 1e-6; }));
+  const PictureError error = FindPictureError(
+    MakeShown([](int x, int y) { return x == 3 ? 0.0 : Pattern(x, y); }), expected);
+  checks.True("unresolved orders", error.EdgePixels == Height);
+  CheckDifferences(checks, "resolved orders", error, 0.0, 0.0);
+}
+
 void TestOnlyEdges(Checks& checks)
 {
   ExpectedPicture expected = MakeExpected(Pattern);
@@ -215,6 +231,8 @@ void TestSizes(Checks& checks)
     [&] { expected.AddDisplaced(expected.GetPicture(), MakeCounts(One, other)); });
   CheckRefusal(checks, "another displaced picture",
     [&] { expected.AddDisplaced(MakeExpected(Pattern, other).GetPicture(), MakeCounts(One)); });
+  CheckRefusal(checks, "other margins",
+    [&] { expected.AddOrderMargins(MakeExpected(Pattern, other).GetPicture()); });
   CheckRefusal(checks, "another number of counts",
     [&] { ExpectedPicture(expected.GetPicture(), MakeCounts(One, other)); });
 }
@@ -239,6 +257,7 @@ int TestPictureError(int, char*[])
   TestHalf(checks);
   TestNegative(checks);
   TestEdges(checks);
+  TestUnresolvedOrder(checks);
   TestOnlyEdges(checks);
   TestNothingCovered(checks);
   TestSizes(checks);

@@ -36,6 +36,29 @@ void TestLayers(Checks& checks, int layers, double alpha)
     name + ", none lost", pixel.GetTranslucent().size() == static_cast<std::size_t>(layers));
 }
 
+void TestOrderMargin(Checks& checks)
+{
+  Pixel pixel;
+  const auto margin = [&](double visible)
+  {
+    pixel.Sort();
+    return pixel.GetOrderMargin(visible);
+  };
+  checks.True("no fragment", std::isinf(margin(0.0)));
+  pixel.Add({ 0.2, Color(1, 0, 0, 0.5) }, false);
+  checks.True("one fragment", std::isinf(margin(0.0)));
+  // The exchange changes red by 0.5 * 0.4, then blue by 0.5 * 0.6 * 0.2 * 0.5.
+  pixel.Add({ 0.5, Color(0, 0, 0, 0.4) }, false);
+  pixel.Add({ 0.6, Color(0, 0, 0.5, 0.2) }, false);
+  checks.Near("the nearest pair", margin(0.0), 0.1, 1e-15);
+  checks.Near("just visible", margin(0.0199), 0.1, 1e-15);
+  checks.Near("only the first pair is visible", margin(0.0201), 0.3, 1e-15);
+  checks.Near("just visible as well", margin(0.199), 0.3, 1e-15);
+  checks.True("nothing is visible", std::isinf(margin(0.201)));
+  pixel.Add({ 0.6, Color(0, 0.5, 0.5, 0.2) }, false);
+  checks.Near("equal depths", margin(0.0), 0.0, 0.0);
+}
+
 void TestOrder(Checks& checks)
 {
   // Half of red over half of green over opaque blue.
@@ -119,6 +142,7 @@ int TestReferenceCompositing(int, char*[])
   TestLayers(checks, 1000, 0.3);
   TestLayers(checks, 100000, 1e-4);
   TestOrder(checks);
+  TestOrderMargin(checks);
   TestShuffles(checks);
   TestEqualDepths(checks);
   return checks.Result();
