@@ -26,9 +26,9 @@ namespace
 {
 constexpr double White = 255.0;
 
-// Steps of 8 bits. Displacements are twice as long as what a rasteriser is off by at most, so this
-// is one step of what it may show.
-constexpr double LargestChange = 2.0;
+// Steps of 8 bits. What changes by less within the error of a rasteriser is at most one step off
+// where both pictures are rounded.
+constexpr double LargestChange = 1.0;
 
 // Of window depth: eight steps of single precision below 1, in which OpenGL has positions and
 // depths.

@@ -25,7 +25,7 @@ namespace benchmark
  * Where the edge of a surface runs through the centre of a pixel, to within what a rasteriser
  * resolves, both sides of it are right. Such edge pixels are those of which the number changes when
  * the picture is displaced by that small part of a pixel. So are those of which the colour changes
- * by more than two steps of 8 bits: there one edge takes the place of another, two surfaces
+ * by more than one step of 8 bits: there one edge takes the place of another, two surfaces
  * intersect, or one is seen so much from its side that its shading is not resolved. And so are
  * those where single precision does not resolve which of two fragments is in front.
  */

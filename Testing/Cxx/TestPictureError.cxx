@@ -156,11 +156,11 @@ void TestEdges(Checks& checks)
     return MakePicture(VTK_DOUBLE, 1.0 / 255.0, [=](int x, int y) { return value(x, y) + change; });
   };
   expected.AddDisplaced(
-    shift(1.9), MakeCounts([&](int x, int) { return x < covered - 1 ? 2 : 0; }));
+    shift(0.9), MakeCounts([&](int x, int) { return x < covered - 1 ? 2 : 0; }));
   expected.AddDisplaced(MakePicture(VTK_DOUBLE, 1.0 / 255.0,
-                          [&](int x, int y) { return value(x, y) - (x == 1 ? 2.1 : 0.0); }),
+                          [&](int x, int y) { return value(x, y) - (x == 1 ? 1.1 : 0.0); }),
     MakeCounts(count));
-  expected.AddDisplaced(shift(-1.9), MakeCounts(count));
+  expected.AddDisplaced(shift(-0.9), MakeCounts(count));
   const auto isWrong = [](int x) { return x == 1 || x == covered - 1; };
   const PictureError error =
     FindPictureError(MakeShown([&](int x, int y)
