@@ -31,9 +31,9 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
     lines: vtkPolyData with lines, or composite data of it; or an array of points, n x 3, for one
         line; or several of these, as a list or as an array m x n x 3.
     radius: of the tubes, in the units of the points, at least 0; 0 finds one that suits the data. Or
-        a radius for each point: values, or the name of a point array.
-    importance: values, or the name of a point array of one component. The lines then fade as
-        optimize() makes them. Default: they keep their opacity.
+        a radius for each point: values, or the name of an array.
+    importance: values, or the name of an array of one component. The lines then fade as optimize()
+        makes them. Default: they keep their opacity.
     importance_range: the values that mean importance 0 and 1; default: 0 and 1.
     preset: one of presets(); default: "clear-front".
     arguments: over the preset, occlusion_weight, clutter_weight, emphasis, smoothing_iterations and
@@ -53,7 +53,8 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
 
     Values are one for each point, for lines from arrays also m x n of them or a list for each line; or
     one for each cell, that is for each line (a radius or importance of a point is then the mean of the
-    cells around it). They become arrays of a copy of the data, under names that nothing else has. None
+    cells around it; of composite data it has to be a point array). They become arrays of a copy of the
+    data, under names that nothing else has. None
     means the default everywhere.
 
     Returns the actor, whose mapper is a vtkTrajectoryMapper. Raises TypeError for arguments that are

@@ -58,8 +58,9 @@ def with_arrays(data, lengths=(), **values):
     lengths: of lines, where there may be a list of values for each.
     values: of each argument the name of an array of the data, or values of one, or None.
     """
-    arrays = {argument: value for argument, value in values.items()
-              if value is not None and not isinstance(value, str)}
+    arrays = {argument: array for argument, array in (
+        (argument, value if argument == "scalars" else _values_of_cells(data, value))
+        for argument, value in values.items()) if array is not None and not isinstance(array, str)}
     if not arrays:
         return data, values
     if not isinstance(data, vtkPolyData):
@@ -187,6 +188,14 @@ def _point_array(name, points):
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name}: expected points as an array of shape (n, 3), found {array.shape}")
     return array if array.dtype == numpy.float32 else array.astype(float)
+
+
+def _values_of_cells(data, value):
+    """The values of the cell array of that name, where no point array has it; or just what that is."""
+    if not isinstance(value, str) or not isinstance(data, vtkPolyData):
+        return value
+    array = None if data.GetPointData().HasArray(value) else data.GetCellData().GetArray(value)
+    return vtk_to_numpy(array) if array else value
 
 
 def _joined(argument, values, lengths):

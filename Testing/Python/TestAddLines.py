@@ -98,6 +98,11 @@ class TestData(ViewTest):
             attributes = actor.GetMapper().GetInput().GetPointData()
             for name in ("Radius", "Importance"):
                 self.assertEqual(vtk_to_numpy(attributes.GetArray(name)).tolist(), [3, 3, 3, 4, 4])
+        named = pellucid.add_lines(self.renderer, unequal, scalars=[3, 4]).GetMapper().GetInput()
+        actor = pellucid.add_lines(
+            self.renderer, named, radius="Scalars", importance="Scalars", importance_range=(3, 4))
+        self.assertEqual(actor.GetMapper().GetRadiusArray(), "Radius")
+        self.assertEqual(pellucid.vtkImportanceDrivenOpacity.Get(actor).GetImportanceArray(), "Importance")
 
         self.renderer.RemoveAllViewProps()
         pellucid.add_lines(
