@@ -12,6 +12,7 @@
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkTrajectoryMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,15 +94,26 @@ bool HasValidOpacities(vtkRenderer* renderer, vtkExactTransparencyPass* pass, bo
   return areValid;
 }
 
+/** The automatic one follows from the data, and is large where the actor compensates a stretch. */
+double GetRadiusOfLines(const SceneDescription& scene, const PropDescription& prop)
+{
+  const auto actor = MakeActor(scene, prop, BuildOrder::Forward);
+  return vtkTrajectoryMapper::SafeDownCast(actor->GetMapper())->GetEffectiveRadius();
+}
+
 /**
  * Whether the eye or a plane opens a tube that bends within its own radius: pieces that are no
  * neighbours overlap, and which of their inner walls shows is nowhere defined.
  */
 bool OpensOverlappingTubes(const SceneDescription& scene, const PropDescription& prop)
 {
-  const bool opens = scene.EyeInside || prop.ClippingPlane || prop.Radius > 0.5;
-  const bool bends = prop.Kind == "lines" && prop.PointsPerCell > 2;
-  return opens && bends && (prop.Shape != "walk" || prop.Radius * prop.PointsPerCell > 0.5);
+  if (prop.Kind != "lines" || prop.PointsPerCell <= 2)
+  {
+    return false;
+  }
+  const double radius = GetRadiusOfLines(scene, prop);
+  const bool opens = scene.EyeInside || prop.ClippingPlane || radius > 0.5;
+  return opens && (prop.Shape != "walk" || radius * prop.PointsPerCell > 0.5);
 }
 
 /**
