@@ -13,7 +13,7 @@ from ._appearance import (
     checked_appearance,
     set_appearance,
 )
-from ._arguments import check_names, check_number, class_name
+from ._arguments import check_names, check_number, class_name, number_of
 from ._geometry import check_radii, line_data, point_data, surface_data, with_arrays
 from ._opacities import OPTIMIZATION_PARAMETERS, optimize
 from ._renderers import install
@@ -54,7 +54,8 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
     Values are one for each point, for lines from arrays also m x n of them or a list for each line; or
     one for each cell, that is for each line (a radius or importance of a point is then the mean of the
     cells around it; of composite data it has to be a point array). They become arrays of a copy of the
-    data, under names that nothing else has. None
+    data, under names that nothing else has. Masked values count as NaN: it is drawn in nan_color, is of
+    importance 0, and a point with a radius that is not finite is left out, with a warning. None
     means the default everywhere.
 
     Returns the actor, whose mapper is a vtkTrajectoryMapper. Raises TypeError for arguments that are
@@ -104,7 +105,7 @@ def _add(view, data, arguments, own, *, for_plotters=PLOTTER_ARGUMENTS, default_
     if not is_plotter and not isinstance(view, vtkRenderer):
         raise TypeError(f"expected a PyVista plotter or a vtkRenderer, found {class_name(view)}")
     check_names(arguments, own + (for_plotters if is_plotter else RENDERER_ARGUMENTS))
-    arguments = {name: value for name, value in arguments.items() if value is not None}
+    arguments = {name: number_of(value) for name, value in arguments.items() if value is not None}
     opacity = {name: arguments.pop(name) for name in OPACITY_ARGUMENTS if name in arguments}
     if opacity and "importance" not in opacity:
         raise ValueError(f"{', '.join(opacity)}: only with importance, which is missing")

@@ -53,10 +53,10 @@ def set_appearance(actor, data, *, color=None, scalars=None, clim=None, cmap=Non
     appearance = actor.GetProperty()
     for name, value in material.items():
         getattr(appearance, "Set" + name.title().replace("_", ""))(value)
-    appearance.SetLighting(lighting)
+    appearance.SetLighting(bool(lighting))
     check_number("opacity", opacity, 0, 1)
     appearance.SetOpacity(opacity)
-    actor.SetPickable(pickable)
+    actor.SetPickable(bool(pickable))
     if color is not None:
         appearance.SetColor(_rgb("color", color))
         actor.GetMapper().ScalarVisibilityOff()

@@ -24,6 +24,7 @@ OTHER_NAMES = {
     "depth_weight": ("d",),
     "importance_exponent": ("lambda", "lambda_", "lam"),
 }
+LARGEST_PICTURE = 65536  # pixels in width and height, as pellucid-render has it
 
 
 def class_name(argument):
@@ -43,6 +44,11 @@ def brief(value):
     return text if len(text) <= 80 else f"{text[:60]}... ({class_name(value)})"
 
 
+def number_of(value):
+    """The number that an array without dimensions holds; else just the value."""
+    return value[()] if isinstance(value, numpy.ndarray) and not value.ndim else value
+
+
 def checked(argument, expected):
     if not isinstance(argument, expected):
         raise TypeError(f"expected a {expected.__name__}, found {class_name(argument)}")
@@ -58,7 +64,7 @@ def check_names(arguments, known):
 
 
 def check_choice(name, value, choices):
-    if value not in list(choices):
+    if not isinstance(value, str) or value not in list(choices):
         raise ValueError(f"{name}: expected one of {', '.join(choices)}; found {brief(value)}")
 
 
@@ -68,7 +74,7 @@ def check_string(name, value):
 
 
 def check_flag(name, value):
-    if not isinstance(value, (int, numpy.bool_)) or value not in (0, 1):
+    if not isinstance(value, (numbers.Integral, numpy.bool_)) or value not in (0, 1):
         raise TypeError(f"{name}: expected True or False, found {brief(value)}")
 
 
@@ -87,8 +93,9 @@ def finite_pair(name, value):
         name, value, "finite numbers", numbers.Real, lambda end: math.isfinite(_as_float(end)))))
 
 
-def positive_pair(name, value):
-    return _pair(name, value, "positive integers", numbers.Integral, lambda end: end > 0)
+def size_of_picture(name, value):
+    return _pair(name, value, f"integers from 1 to {LARGEST_PICTURE}", numbers.Integral,
+                 lambda end: not isinstance(end, bool) and 0 < end <= LARGEST_PICTURE)
 
 
 def set_parameters(target, parameters, known):

@@ -78,13 +78,15 @@ def with_arrays(data, lengths=(), **values):
 
 
 def numbers_of(name, values, expected="numbers"):
-    """The array of NumPy that they are, or make."""
+    """The array of NumPy that they are, or make; NaN where one is masked."""
     try:
         array = numpy.asarray(values)
     except ValueError:
         raise ValueError(f"{name}: expected {expected}, found rows of unequal lengths") from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected {expected}, found {brief(values)}")
+    if numpy.ma.is_masked(values):
+        return numpy.where(numpy.ma.getmaskarray(values), numpy.nan, array)
     return array
 
 
@@ -166,10 +168,17 @@ def _with_vertices(data):
 
 
 def _sequence(name, argument):
-    is_sequence = hasattr(argument, "__len__") and hasattr(argument, "__getitem__")
+    is_sequence = _has_length(argument) and hasattr(argument, "__getitem__")
     if not is_sequence or isinstance(argument, (str, bytes, dict)):
         _refuse(name, "vtkPolyData or an array of points", argument)
-    return numpy.asarray(argument) if hasattr(argument, "__array__") else argument
+    if hasattr(argument, "__array__") and not isinstance(argument, numpy.ma.MaskedArray):
+        return numpy.asarray(argument)
+    return argument
+
+
+def _has_length(argument):
+    """An array of NumPy without dimensions has none."""
+    return hasattr(argument, "__len__") and getattr(argument, "ndim", 1) > 0
 
 
 def _refuse(name, expected, found):
@@ -200,8 +209,7 @@ def _values_of_cells(data, value):
 
 def _joined(argument, values, lengths):
     """One array of them; the lists of lines one after the other."""
-    if hasattr(values, "__len__") and len(values) == len(lengths) and all(
-            hasattr(part, "__len__") for part in values):
+    if _has_length(values) and len(values) == len(lengths) and all(map(_has_length, values)):
         parts = [numbers_of(argument, part) for part in values]
         if [len(part) for part in parts] == lengths and len({part.shape[1:] for part in parts}) == 1:
             return numpy.concatenate(parts)

@@ -5,7 +5,7 @@
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from ._arguments import checked, class_name, positive_pair
+from ._arguments import checked, class_name, size_of_picture
 from .vtkPellucidRendering import vtkReferenceRenderer, vtkTransparencyInstaller
 
 
@@ -43,7 +43,7 @@ def reference_picture(renderer, size=None):
     """The exact picture of a renderer, in double precision and without OpenGL.
 
     renderer: vtkRenderer. What vtkReferenceRenderer cannot draw, such as volumes, is left out.
-    size: width and height in pixels; default: those of the renderer in its window, which has
+    size: width and height in pixels, from 1 to 65536; default: those of the renderer in its window, which has
         rendered.
 
     Returns an array of float64, height x width x 4: red, green, blue and alpha in [0, 1], the top row
@@ -55,7 +55,7 @@ def reference_picture(renderer, size=None):
         if 0 in size:
             raise ValueError("size: the renderer has none before its window has rendered; give "
                              "width and height")
-    width, height = positive_pair("size", size)
+    width, height = size_of_picture("size", size)
     reference = vtkReferenceRenderer()
     reference.SetRenderer(renderer)
     reference.SetSize(width, height)

@@ -90,6 +90,12 @@ class TestArguments(ErrorTest):
              "an array of shape (3, 2)", {"scalars": numpy.zeros((3, 2))}),
             (ValueError, "clim: expected two finite numbers, found (1,)", {"clim": (1,)}),
             (ValueError, "clim: expected the lower number first, found (2, 1)", {"clim": (2, 1)}),
+            (ValueError, "clim: expected the lower number first, found -2", {"clim": -2}),
+            (ValueError, "nan_color: there is no color 'blau'", {"nan_color": "blau", "scalars": HEIGHTS}),
+            (ValueError, "nan_color: expected red, green and blue in [0, 1], found (255, 0, 0)",
+             {"nan_color": (255, 0, 0), "scalars": HEIGHTS}),
+            (ValueError, "scalars: expected 6 values, one for each point, or 2, one for each cell, found "
+             "an array of shape ()", {"scalars": numpy.array(5)}),
             (TypeError, "cmap: only a PyVista plotter knows names", {"cmap": "viridis"}),
             (ValueError, "cmap: expected colors in [0, 1] as an array of shape (n, 3) or (n, 4), found [1, 2]",
              {"cmap": [1, 2]}),
@@ -119,12 +125,16 @@ class TestArguments(ErrorTest):
              {"importance": "Scalars", "scalars": HEIGHTS}),
             (ValueError, "importance: expected 6 values, one for each point, or 2, one for each cell, "
              "found an array of shape ()", {"importance": 5}),
+            (ValueError, "importance: expected 6 values, one for each point, or 2, one for each cell, "
+             "found an array of shape ()", {"importance": numpy.array(5)}),
             (ValueError, "emphasis: only with importance, which is missing", {"emphasis": 2}),
             (ValueError, "preset: only with importance, which is missing", {"preset": "focus"}),
             (ValueError, "importance_range: only with importance, which is missing",
              {"importance_range": (0, 2)}),
             (ValueError, "preset: expected one of clear-front, balanced, focus, clear-back, points; "
              "found 'x'", {"preset": "x", "importance": HEIGHTS}),
+            (ValueError, "preset: expected one of clear-front, balanced, focus, clear-back, points; "
+             "found an array of str", {"preset": numpy.array(["focus"]), "importance": HEIGHTS}),
             (ValueError, "emphasis: expected a number from 0.01 to 100, found 0",
              {"emphasis": 0, "importance": HEIGHTS}),
             (TypeError, "emphasis: expected a number from 0.01 to 100, found 'a'",
@@ -150,6 +160,7 @@ class TestData(ErrorTest):
         for error, message, wrong in (
             (TypeError, array + "None", None),
             (TypeError, array + "{'x': 1}", {"x": 1}),
+            (TypeError, array + "array(5)", numpy.array(5)),
             (TypeError, poly_data + "vtkUnstructuredGrid" + surface, vtkUnstructuredGrid()),
             (TypeError, poly_data + "vtkUnstructuredGrid", blocks),
             (TypeError, poly_data + "vtkPoints", vtkPoints()),
@@ -163,6 +174,10 @@ class TestData(ErrorTest):
              [[(0, 0, 0), (1, 1)]]),
             (ValueError, "lines: expected finite coordinates, found others in 2 of 4 points; leave these "
              "out, or split the line there", [(0, 0, 0), (0, nan, nan), (1, 1, 1), (nan, 0, 0)]),
+            (ValueError, "lines: expected finite coordinates, found others in 3 of 3 points",
+             numpy.ma.masked_greater(FRONT, 0.2)),
+            (ValueError, "lines: expected finite coordinates, found others in 3 of 6 points",
+             [numpy.ma.masked_greater(FRONT, 0.2), BACK]),
             (ValueError, "lines: expected poly data with lines, found 3 points and none; there are "
              "add_lines(), add_points() and add_surface()", POINTS),
         ):
@@ -194,9 +209,10 @@ class TestData(ErrorTest):
 
 class TestReferencePicture(ViewTest):
     def test_sizes(self):
-        expected = "size: expected two positive integers, found "
-        for error, size in ((ValueError, (0, 5)), (ValueError, (1, 2, 3)), (TypeError, 5),
-                            (TypeError, (2.5, 3)), (TypeError, "a")):
+        expected = "size: expected two integers from 1 to 65536, found "
+        for error, size in ((ValueError, (0, 5)), (ValueError, (1, 2, 3)), (ValueError, (2**40, 5)),
+                            (ValueError, (True, True)), (TypeError, 5), (TypeError, (2.5, 3)),
+                            (TypeError, "a")):
             with self.assertRaisesRegex(error, re.escape(f"{expected}{size!r}")):
                 pellucid.reference_picture(self.renderer, size)
         with self.assertRaisesRegex(ValueError, "size: the renderer has none before its window has "

@@ -121,7 +121,8 @@ class TestData(ViewTest):
         self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
 
     def test_range_of_colors(self):
-        for clim, expected in ((2, (-2, 2)), ([1, 3], (1, 3)), (numpy.array((1, 3)), (1, 3))):
+        for clim, expected in ((2, (-2, 2)), ([1, 3], (1, 3)), (numpy.array((1, 3)), (1, 3)),
+                               (numpy.array(2.0), (-2, 2))):
             actor = pellucid.add_lines(self.renderer, FRONT, scalars=[0, 1, 2], clim=clim)
             self.assertEqual(actor.GetMapper().GetScalarRange(), expected)
 
@@ -145,6 +146,21 @@ class TestData(ViewTest):
         ):
             actor = pellucid.add_lines(self.renderer, FRONT, scalars=values)
             self.assertEqual(actor.GetMapper().GetScalarRange(), expected)
+
+    def test_masked_values_count_as_nan(self):
+        values = numpy.ma.array([1, 9, 2], mask=[False, True, False])
+        actor = pellucid.add_lines(
+            self.renderer, numpy.ma.array(FRONT), scalars=values, radius=values, importance=values)
+        mapper = actor.GetMapper()
+        mapper.Update()
+        self.assertEqual(mapper.GetScalarRange(), (1, 2))
+        for name in ("Scalars", "Radius", "Importance"):
+            array = mapper.GetInput().GetPointData().GetArray(name)
+            numpy.testing.assert_array_equal(vtk_to_numpy(array), [1, numpy.nan, 2])
+        actor = pellucid.add_lines(
+            self.renderer, numpy.ma.array([FRONT, FRONT]), scalars=numpy.ma.array([values, values]))
+        array = actor.GetMapper().GetInput().GetPointData().GetArray("Scalars")
+        numpy.testing.assert_array_equal(vtk_to_numpy(array), [1, numpy.nan, 2] * 2)
 
     def test_composite_data(self):
         blocks = vtkMultiBlockDataSet()
@@ -196,8 +212,9 @@ class TestPicture(ViewTest):
             pellucid.add_lines(self.renderer, [FRONT], scalars=HEIGHTS[:3], clim=(2, 4))
 
     def test_radius_for_each_point(self):
-        constant = pellucid.add_lines(self.renderer, FRONT, radius=numpy.float32(0.5))
-        self.assertEqual(constant.GetMapper().GetRadius(), 0.5)
+        for radius in (numpy.float32(0.5), numpy.array(0.5)):
+            constant = pellucid.add_lines(self.renderer, FRONT, radius=radius)
+            self.assertEqual(constant.GetMapper().GetRadius(), 0.5)
         for radius in ([0.1, 0.2, 0.3], "Radius"):
             self.renderer.RemoveAllViewProps()
             if radius == "Radius":
@@ -208,6 +225,17 @@ class TestPicture(ViewTest):
             columns = (self.draw().sum(axis=2) > 0).sum(axis=0)
             self.assertGreater(columns[42], 1.5 * columns[18])
 
+    def test_points_without_a_finite_radius_are_left_out(self):
+        for wrong in (numpy.nan, numpy.inf):
+            self.renderer.RemoveAllViewProps()
+            actor = pellucid.add_lines(
+                self.renderer, FRONT + BACK, radius=[0.2] * 5 + [wrong], color=(1, 1, 1))
+            warnings = []
+            actor.GetMapper().AddObserver("WarningEvent", lambda *_: warnings.append(True))
+            self.assertGreater(self.draw()[20, 20].max(), 0)
+            self.assertEqual(self.draw()[35, 30].max(), 0)
+            self.assertTrue(warnings)
+
     def test_appearance(self):
         actor = pellucid.add_lines(
             self.renderer, FRONT, color="#336699", opacity=0.25, ambient=0.1, diffuse=0.5, specular=0.3,
@@ -217,6 +245,9 @@ class TestPicture(ViewTest):
             (appearance.GetOpacity(), appearance.GetAmbient(), appearance.GetDiffuse(),
              appearance.GetSpecular(), appearance.GetSpecularPower(), appearance.GetLighting(),
              actor.GetPickable()), (0.25, 0.1, 0.5, 0.3, 20, False, False))
+        for flag in (numpy.int64(0), numpy.bool_(False), numpy.array(False)):
+            flat = pellucid.add_lines(self.renderer, FRONT, lighting=flag, pickable=flag)
+            self.assertEqual((flat.GetProperty().GetLighting(), flat.GetPickable()), (False, False))
         numpy.testing.assert_allclose(appearance.GetColor(), (0.2, 0.4, 0.6))
 
     def test_importance(self):
