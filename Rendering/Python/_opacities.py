@@ -45,9 +45,11 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
         smoothing_iterations (s) and self_occlusion, as vtkOpacityOptimization has them.
 
     Data without segments gets them: a vtkTrajectorySegments or vtkSurfaceSegments takes its place
-    between the actor's mapper and what the mapper was connected to.
+    between the actor's mapper and what the mapper was connected to. For a vtkTrajectoryMapper data that is
+    still empty counts as lines.
 
-    Returns the vtkOpacityOptimization; others can have the same by `Attach`. restore() ends it.
+    Returns the vtkOpacityOptimization; actors whose data has segments can have the same by `Attach`.
+    restore() ends it, and takes the segments from all actors with the same mapper.
     Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
     """
     optimization = vtkOpacityOptimization()
@@ -74,7 +76,7 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
         depth_weight, importance_exponent, global_opacity and smooth_attributes, as vtkOcclusionAvoidance has
         them.
 
-    Returns the vtkOcclusionAvoidance; others can have the same by `Attach`. restore() ends it.
+    Returns the vtkOcclusionAvoidance; other actors can have the same by `Attach`. restore() ends it.
     Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
     """
     avoidance = vtkOcclusionAvoidance()
@@ -90,7 +92,11 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
 
 
 def restore(actor):
-    """Give an actor its own opacity back, and its mapper the connection that optimize() changed."""
+    """Give an actor its own opacity back, and its mapper the connection that optimize() changed.
+
+    Other actors with the same mapper then lack the segments too: optimize() them again, or give each actor
+    a mapper of its own.
+    """
     vtkImportanceDrivenOpacity.Attach(checked(actor, vtkActor), None)
     mapper = actor.GetMapper()
     segments = mapper.GetInputAlgorithm() if mapper else None
@@ -147,12 +153,13 @@ def _add_segments(mapper):
     if draws_lines and draws_surfaces:
         raise ValueError("the actor has both lines or points and surfaces; give each of them an "
                          "actor of its own")
-    if draws_lines or draws_surfaces:
-        segments = vtkTrajectorySegments() if draws_lines else vtkSurfaceSegments()
+    as_lines = draws_lines or (not draws_surfaces and isinstance(mapper, vtkTrajectoryMapper))
+    if as_lines or draws_surfaces:
+        segments = vtkTrajectorySegments() if as_lines else vtkSurfaceSegments()
         segments._pellucid_inserted = True
         segments.SetInputConnection(mapper.GetInputConnection(0, 0))
         mapper.SetInputConnection(segments.GetOutputPort())
-    return "lines" if draws_lines else "surfaces"
+    return "lines" if as_lines else "surfaces"
 
 
 def _attach(actor, opacity, importance):

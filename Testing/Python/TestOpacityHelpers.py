@@ -233,8 +233,33 @@ class TestOptimize(unittest.TestCase):
             self.assertEqual(found.GetSmoothingIterations(), expected)
 
     def test_data_may_come_later(self):
-        actor = make_actor(vtkPolyData())
-        self.assertIsNotNone(pellucid.optimize(actor))
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_lines())
+        for empty, later in ((vtkPolyData(), make_lines()), (vtkMultiBlockDataSet(), blocks)):
+            actor = make_actor(empty)
+            pellucid.optimize(actor)
+            transparency, window = make_window(actor)
+            messages = noted(transparency, "WarningEvent")
+            window.Render()
+            empty.ShallowCopy(later)
+            window.Render()
+            opacities = pellucid.optimized_opacities(window.GetRenderers().GetFirstRenderer(), actor)
+            self.assertGreater(len(opacities), 1)
+            self.assertLess(numpy.nanmin(opacities), 0.1)
+            self.assertFalse(messages)
+        self.assertIsNotNone(pellucid.optimize(make_actor(vtkPolyData(), vtkPolyDataMapper())))
+
+    def test_restoring_one_of_a_mapper_takes_the_segments_of_all(self):
+        other = vtkActor()
+        other.SetMapper(self.actor.GetMapper())
+        for actor in (self.actor, other):
+            pellucid.optimize(actor)
+        pellucid.restore(self.actor)
+        other.GetMapper().Update()
+        self.assertFalse(other.GetMapper().GetInput().GetPointData().HasArray("SegmentBase"))
+        pellucid.optimize(other)
+        other.GetMapper().Update()
+        self.assertTrue(other.GetMapper().GetInput().GetPointData().HasArray("SegmentBase"))
 
 
 class TestAvoid(unittest.TestCase):
