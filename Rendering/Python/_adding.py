@@ -43,7 +43,9 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
         scalars: name of a point or cell array to colour by, or values; default: the active array
         clim: the two scalars at the ends of the colours, or one, which stands for that and its
             negative; default: the range of the finite ones
-        cmap: name of a colour map (plotter), vtkScalarsToColors, or colours in [0, 1], n x 3 or n x 4
+        cmap: colours in [0, 1], n x 3 or n x 4; or, for a plotter, a name, a list of names of colours or
+            pyvista.LookupTable; or, for a renderer, vtkScalarsToColors, which gets the range of clim and
+            keeps its mode for vectors and its colour of NaN
         opacity: number in [0, 1]; for a plotter all that PyVista takes
         nan_color, lighting, pickable; ambient, diffuse, specular in [0, 1]; specular_power in [0, 128]
 

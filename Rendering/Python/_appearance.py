@@ -8,7 +8,7 @@ import re
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
 
-from ._arguments import brief, check_flag, check_number, check_string, finite_pair
+from ._arguments import brief, check_flag, class_name, check_number, check_string, finite_pair
 from ._geometry import array_names, leaves_of, listed, numbers_of
 
 RENDERER_ARGUMENTS = (
@@ -82,19 +82,19 @@ def _rgb(argument, color):
 def _color_map(cmap, nan_color):
     """That, or a table of its colours; blue to red by default."""
     if isinstance(cmap, vtkScalarsToColors):
+        if nan_color is not None:
+            raise ValueError("nan_color: expected with colors as an array or without cmap, found with a "
+                             f"{class_name(cmap)}; set it there")
         return cmap
     table = vtkLookupTable()
+    table.SetVectorModeToMagnitude()
     if cmap is None:
         table.SetHueRange(2 / 3, 0)
     else:
         if isinstance(cmap, str):
             raise TypeError("cmap: only a PyVista plotter knows names; give a vtkScalarsToColors, or "
                             "colors as an array of shape (n, 3) or (n, 4)")
-        colors = numbers_of("cmap", cmap)
-        if (colors.ndim != 2 or colors.shape[1] not in (3, 4) or not len(colors)
-                or not ((0 <= colors) & (colors <= 1)).all()):
-            raise ValueError("cmap: expected colors in [0, 1] as an array of shape (n, 3) or (n, 4), found "
-                             f"{brief(cmap)}")
+        colors = colors_of(cmap)
         table.SetNumberOfTableValues(len(colors))
         for i, value in enumerate(colors):
             table.SetTableValue(i, *value)
@@ -102,6 +102,16 @@ def _color_map(cmap, nan_color):
         table.SetNanColor(*_rgb("nan_color", nan_color), 1)
     table.Build()
     return table
+
+
+def colors_of(cmap):
+    """The array of them that a cmap is."""
+    colors = numbers_of("cmap", cmap)
+    if (colors.ndim != 2 or colors.shape[1] not in (3, 4) or not len(colors)
+            or not ((0 <= colors) & (colors <= 1)).all()):
+        raise ValueError("cmap: expected colors in [0, 1] as an array of shape (n, 3) or (n, 4), found "
+                         f"{brief(cmap)}")
+    return colors
 
 
 def _color_by(mapper, data, scalars, clim, table):
@@ -112,15 +122,15 @@ def _color_by(mapper, data, scalars, clim, table):
     if scalars is not None:
         mapper.SelectColorArray(scalars)
         getattr(mapper, f"SetScalarModeToUse{fields}FieldData")()
-    if arrays[0].GetNumberOfComponents() > 1:
-        table.SetVectorModeToMagnitude()
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(_finite_range(arrays) if clim is None else clim)
+    mapper.SetScalarRange(_finite_range(arrays, table) if clim is None else clim)
 
 
-def _finite_range(arrays):
-    """That of the finite values of all of them, or 0 to 1 where there are none."""
-    ranges = [array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0) for array in arrays]
+def _finite_range(arrays, table):
+    """Of the finite values of all, magnitudes or a component as the table has it; without any 0 to 1."""
+    component = table.GetVectorComponent() if table.GetVectorMode() == table.COMPONENT else -1
+    ranges = [array.GetFiniteRange(min(component, array.GetNumberOfComponents() - 1)
+                                   if array.GetNumberOfComponents() > 1 else 0) for array in arrays]
     low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
     return (low, high) if low <= high else (0, 1)
 

@@ -7,7 +7,7 @@ import re
 import unittest
 
 import numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
@@ -91,6 +91,9 @@ class TestArguments(ErrorTest):
             (ValueError, "clim: expected two finite numbers, found (1,)", {"clim": (1,)}),
             (ValueError, "clim: expected the lower number first, found (2, 1)", {"clim": (2, 1)}),
             (ValueError, "clim: expected the lower number first, found -2", {"clim": -2}),
+            (ValueError, "nan_color: expected with colors as an array or without cmap, found with a "
+             "vtkLookupTable; set it there",
+             {"nan_color": "red", "cmap": vtkLookupTable(), "scalars": HEIGHTS}),
             (ValueError, "nan_color: there is no color 'blau'", {"nan_color": "blau", "scalars": HEIGHTS}),
             (ValueError, "nan_color: expected red, green and blue in [0, 1], found (255, 0, 0)",
              {"nan_color": (255, 0, 0), "scalars": HEIGHTS}),

@@ -211,6 +211,19 @@ class TestPicture(ViewTest):
             self.assertEqual(self.draw()[20, 30].tolist(), [0, 0, 255])
             pellucid.add_lines(self.renderer, [FRONT], scalars=HEIGHTS[:3], clim=(2, 4))
 
+    def test_a_table_keeps_its_mode(self):
+        table = vtkLookupTable()
+        table.SetHueRange(2 / 3, 0)
+        table.SetVectorModeToComponent()
+        table.SetVectorComponent(1)
+        values = numpy.array([(9, 0, 0)] * 3 + [(8, 4, 0)] * 3)
+        actor = pellucid.add_lines(
+            self.renderer, [FRONT, BACK], radius=0.2, scalars=values, cmap=table, lighting=False)
+        self.assertEqual(table.GetVectorMode(), table.COMPONENT)
+        self.assertEqual(actor.GetMapper().GetScalarRange(), (0, 4))
+        self.assertEqual(self.draw()[20, 30].tolist(), [0, 0, 255])
+        self.assertEqual(self.draw()[10, 30].tolist(), [255, 0, 0])
+
     def test_radius_for_each_point(self):
         for radius in (numpy.float32(0.5), numpy.array(0.5)):
             constant = pellucid.add_lines(self.renderer, FRONT, radius=radius)
