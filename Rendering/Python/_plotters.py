@@ -3,7 +3,10 @@
 """Add to plotters of PyVista; imported only for who has one."""
 
 import pyvista
+from matplotlib.colors import ListedColormap
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
 
+from ._appearance import colors_of
 from ._arguments import brief
 
 
@@ -13,11 +16,17 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     bar_title: of the scalar bar, unless scalar_bar_args has one; None: the name of the active scalars.
     follow_importance: called with the actor.
     """
-    show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar)
     scalar_bar_args = arguments.pop("scalar_bar_args", {})
+    show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar or bool(scalar_bar_args))
     _check_scalar_bar(scalar_bar_args)
     if bar_title is None:
         bar_title = getattr(pyvista.wrap(data), "active_scalars_name", None)
+    bar = {"title": bar_title, **scalar_bar_args}
+    may_map_scalars = arguments["scalars"] is not None or not {"color", "texture"}.intersection(arguments)
+    if show_scalar_bar and bar_title is not None and may_map_scalars and not arguments.get("rgb"):
+        _check_room_for(plotter, bar)
+    if "cmap" in arguments:
+        arguments["cmap"] = _color_map(arguments["cmap"])
 
     actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **arguments)
     replaced = actor.GetMapper()
@@ -28,12 +37,32 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     try:
         follow_importance(actor)
         if show_scalar_bar and maps_scalars and bar_title is not None:
-            plotter.add_scalar_bar(mapper=mapper, render=False, **{"title": bar_title, **scalar_bar_args})
+            plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
     except Exception:
         plotter.remove_actor(actor, reset_camera=False, render=False)
         raise
     plotter.mapper = mapper
     return actor
+
+
+def _color_map(cmap):
+    """What PyVista takes for it."""
+    if isinstance(cmap, vtkScalarsToColors) and not isinstance(cmap, pyvista.LookupTable):
+        raise TypeError("cmap: expected the name of a color map, colors or a pyvista.LookupTable for a "
+                        f"PyVista plotter, found {brief(cmap)}")
+    is_array = hasattr(cmap, "__array__") or (
+        isinstance(cmap, (list, tuple)) and not all(isinstance(color, str) for color in cmap))
+    return ListedColormap(colors_of(cmap)) if is_array else cmap
+
+
+def _check_room_for(plotter, bar):
+    """PyVista finds that there is none only once the mesh has taken the place of another."""
+    has_place = bar["title"] in plotter.scalar_bars.keys() or (
+        bar.get("position_x") is not None and bar.get("position_y") is not None)
+    if not has_place and not getattr(plotter.renderer, "_scalar_bar_slots", True):
+        raise ValueError(f"show_scalar_bar: expected room for another, found {len(plotter.scalar_bars)} "
+                         "scalar bars; remove one, give scalar_bar_args a position_x and position_y, or "
+                         "pass show_scalar_bar=False")
 
 
 def _check_scalar_bar(arguments):

@@ -10,6 +10,7 @@ import numpy
 import pyvista
 from PIL import Image
 from pyvista import examples
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkWebCore import vtkWebApplication
 
 import pellucid
@@ -340,11 +341,46 @@ class TestAddLines(PlotterTest):
         for i in range(10):
             self.plotter.add_mesh(
                 crossing_lines(), scalars="Height", scalar_bar_args={"title": f"bar {i}"})
-        before = set(self.plotter.actors)
-        with self.assertRaisesRegex(RuntimeError, "Maximum number of color bars"):
-            pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height")
-        self.assertEqual(set(self.plotter.actors), before)
-        self.assertIsNone(pellucid.vtkTransparencyInstaller.GetPass(self.plotter.renderer))
+        kept = pellucid.add_lines(self.plotter, crossing_lines(), color="red", name="lines")
+        before = dict(self.plotter.actors)
+        for name in (None, "lines"):
+            with self.assertRaisesRegex(
+                    ValueError, "^show_scalar_bar: expected room for another, found 10 scalar bars; remove one"):
+                pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height", name=name)
+        self.assertEqual(dict(self.plotter.actors), before)
+        self.assertIs(self.plotter.mapper, kept.GetMapper())
+        for arguments in ({"show_scalar_bar": False}, {"scalar_bar_args": {"title": "bar 3"}},
+                          {"scalar_bar_args": {"position_x": 0.1, "position_y": 0.1}}):
+            pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height", name="lines", **arguments)
+
+    def test_arguments_of_a_scalar_bar_show_it(self):
+        for theme, show, expected in ((False, None, True), (False, False, False), (True, None, True)):
+            for add in (pyvista.Plotter.add_mesh, pellucid.add_lines):
+                plotter = self.make_plotter()
+                plotter.theme.show_scalar_bar = theme
+                add(plotter, crossing_lines(), scalars="Height", scalar_bar_args={"title": "bar"},
+                    show_scalar_bar=show)
+                self.assertEqual(list(plotter.scalar_bars.keys()), ["bar"] * expected)
+
+    def test_color_maps(self):
+        colors = [(1, 0, 0), (0, 0, 1)]
+        pictures = []
+        for cmap in (["red", "blue"], colors, tuple(colors), numpy.array(colors), numpy.ones((2, 4)) * 0.5):
+            plotter = self.make_plotter()
+            pellucid.add_lines(
+                plotter, crossing_lines(), radius=0.2, scalars="Height", cmap=cmap, clim=(0, 1),
+                show_scalar_bar=False)
+            pictures.append(plotter.screenshot(return_img=True))
+        for picture in pictures[1:-1]:
+            numpy.testing.assert_array_equal(picture, pictures[0])
+        self.assertTrue((pictures[-1] != pictures[0]).any())
+        for error, message, wrong in (
+            (ValueError, "cmap: expected colors in .0, 1. as an array of shape", [(0, 0, 255)]),
+            (TypeError, "cmap: expected the name of a color map, colors or a pyvista.LookupTable for a "
+             "PyVista plotter, found a vtkLookupTable", vtkLookupTable()),
+        ):
+            with self.assertRaisesRegex(error, message):
+                pellucid.add_lines(self.plotter, crossing_lines(), scalars="Height", cmap=wrong)
 
     def test_wrong_arguments_change_nothing(self):
         for error, message, wrong in (
