@@ -6,6 +6,8 @@ import importlib.metadata
 import os
 import pathlib
 import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -96,6 +98,17 @@ class TestInstalled(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("no-such-file.vtk", done.stderr)
         self.assertNotIn("Traceback", done.stderr)
+
+    def test_signals_end_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(pathlib.Path(pellucid.__file__).with_name("_program.py"), folder)
+            program = pathlib.Path(folder, "bin", "pellucid-render")
+            program.parent.mkdir()
+            program.write_text("#!/bin/sh\nkill -s \"$1\" $$\n")
+            program.chmod(0o755)
+            for name in ("SEGV", "INT"):
+                done = run(sys.executable, "-c", "import _program; _program.main()", name, cwd=folder)
+                self.assertEqual((done.returncode, done.stderr), (-signal.Signals[f"SIG{name}"], ""))
 
     def test_another_vtk_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
