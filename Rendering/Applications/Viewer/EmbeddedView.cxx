@@ -12,7 +12,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <cmath>
+#include <cstdlib>
 
 namespace pellucid
 {
@@ -152,9 +152,12 @@ void EmbeddedView::OnMove(const Pointer& pointer)
 void EmbeddedView::OnScroll(double steps, const Pointer& pointer)
 {
   this->Place(pointer);
+  this->Scrolled += steps;
   const auto event =
-    steps > 0.0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent;
-  for (int step = 0; step < std::lround(std::ceil(std::abs(steps))); ++step)
+    this->Scrolled > 0.0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent;
+  const int whole = static_cast<int>(this->Scrolled);
+  this->Scrolled -= whole;
+  for (int step = 0; step < std::abs(whole); ++step)
   {
     this->Interactor->InvokeEvent(event);
   }

@@ -92,6 +92,7 @@ private:
   vtkNew<vtkGenericRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkRenderer> Renderer;
   bool IsStale = true;
+  double Scrolled = 0.0; // of a step, which touchpads make in parts
 };
 }
 
