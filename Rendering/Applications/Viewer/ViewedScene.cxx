@@ -89,12 +89,13 @@ ViewedScene::ViewedScene(const RenderOptions& options)
 void ViewedScene::Open()
 {
   auto drawables = MakeDrawables(ReadInputs(this->Options), this->Options);
-  auto made = std::make_unique<MadeScene>(MakeScene(drawables, this->GetEffectiveOptions()));
-  this->ArrayNames = FindArrayNames(drawables, this->Options);
-  this->Drawables = std::move(drawables);
+  const RenderOptions options = this->GetEffectiveOptions();
+  auto made = std::make_unique<MadeScene>(MakeScene(drawables, options));
+  auto arrayNames = FindArrayNames(drawables, this->Options);
+  this->Show(*made, options, nullptr);
   this->Made = std::move(made);
-  this->Renderer = nullptr; // and its camera
-  this->Show(this->GetEffectiveOptions());
+  this->Drawables = std::move(drawables);
+  this->ArrayNames = std::move(arrayNames);
 }
 
 //------------------------------------------------------------------------------
@@ -122,18 +123,21 @@ void ViewedScene::Update(Change change)
     return;
   }
   const RenderOptions options = this->GetEffectiveOptions();
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
   if (change == Change::Scene)
   {
-    this->Made = std::make_unique<MadeScene>(MakeScene(this->Drawables, options));
+    auto made = std::make_unique<MadeScene>(MakeScene(this->Drawables, options));
+    this->Show(*made, options, camera);
+    this->Made = std::move(made);
   }
-  if (change == Change::Appearance && this->Pass)
+  else if (change == Change::Appearance && this->Pass)
   {
     SetAppearance(this->Renderer, this->Made->Drawn, options);
     MakeExact(this->Renderer, options);
   }
   else
   {
-    this->Show(options);
+    this->Show(*this->Made, options, camera);
   }
 }
 
@@ -190,16 +194,15 @@ RenderOptions ViewedScene::GetEffectiveOptions() const
 }
 
 //------------------------------------------------------------------------------
-void ViewedScene::Show(const RenderOptions& options)
+void ViewedScene::Show(const MadeScene& made, const RenderOptions& options, vtkCamera* camera)
 {
-  const auto renderer =
-    MakeRenderer(this->Made->Drawn, options, options.RenderMethod, this->GetAspect());
-  if (this->Renderer)
+  const auto renderer = MakeRenderer(made.Drawn, options, options.RenderMethod, this->GetAspect());
+  if (camera)
   {
-    renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+    renderer->SetActiveCamera(camera);
   }
-  this->Renderer = renderer;
   this->Pass = options.RenderMethod == Method::Pellucid ? MakeExact(renderer, options) : nullptr;
+  this->Renderer = renderer;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 
 #include <memory> // for what is made anew
 
+class vtkCamera;
 class vtkExactTransparencyPass;
 
 namespace pellucid
@@ -74,8 +75,10 @@ public:
 
 private:
   RenderOptions GetEffectiveOptions() const;
-  void Show(const RenderOptions& options);
   double GetAspect() const;
+
+  /** By the camera of the options where there is none. Change nothing before all has succeeded. */
+  void Show(const MadeScene& made, const RenderOptions& options, vtkCamera* camera);
 
   std::vector<Drawable> Drawables; // as read and traced
   std::vector<std::string> ArrayNames;
