@@ -52,8 +52,10 @@ void PanelContext::SetScale(float scale)
   font.SizePixels = std::round(FontSize * scale);
   ImGui::GetIO().Fonts->Clear();
   ImGui::GetIO().Fonts->AddFontDefault(&font);
+#if IMGUI_VERSION_NUM < 19200 // newer ones do it by themselves
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
 }
 
 //------------------------------------------------------------------------------
