@@ -24,6 +24,7 @@ SIZE = (320, 360)
 PANEL = 300
 RED = (255, 115, 102)  # of errors in the panel
 OLD_OPENGL = {"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"}
+WRONG_OPENGL = {**OLD_OPENGL, "MESA_GL_VERSION_OVERRIDE": "4.3"}  # whose shaders do not compile
 MIDDLE = (SIZE[0] // 2, SIZE[1] // 2)
 
 # Where the panel has them, from its upper left corner.
@@ -230,6 +231,22 @@ class TestMouseAndKeys(WindowTest):
         self.assertEqual(abs(picture - faded).max(), 0)
         self.assert_as_rendered(picture, view, "--preset", "focus")
 
+    def test_held_keys_act_once(self):
+        self.open_lines()
+        self.save()
+        self.desktop.type_key(self.window, "s", 2)
+        self.take_picture()
+        self.save()
+        self.assertEqual(len(list(self.folder.iterdir())), 3)
+
+    def test_keys_are_those_of_the_labels(self):
+        self.open_lines()
+        self.desktop.exchange_keys("a", "q")
+        self.desktop.type_key(self.window, "a")
+        self.save()
+        self.desktop.type_key(self.window, "q")
+        self.assertEqual(self.end(), "")
+
     def test_dots_per_inch(self):
         self.start(LINES, "--size", "700x400", dots_per_inch=192)
         picture, view = self.save()
@@ -294,6 +311,22 @@ class TestPanel(WindowTest):
         self.assert_as_rendered(picture, view, *first, "--importance", "Density:50%:99%")
 
 
+    def test_the_scene_stays_where_the_panel_is_pressed(self):
+        self.open_lines()
+        first, _ = self.save()
+        x, y = SIZE[0] + PANEL // 2, SIZE[1] - 5
+        self.desktop.move(*MIDDLE)
+        time.sleep(0.5)
+        self.desktop.press_at(x, y)
+        self.desktop.move(x - 100, y - 50)
+        self.desktop.release(1)
+        self.desktop.move(*MIDDLE)
+        time.sleep(0.5)
+        self.desktop.press_at(x, y, button=4)
+        self.desktop.release(4)
+        self.assertEqual(abs(self.save()[0] - first).max(), 0)
+
+
 class TestFiles(WindowTest):
     def count_red(self):
         return (self.desktop.look_at(self.window) == RED).all(axis=2).sum()
@@ -308,6 +341,14 @@ class TestFiles(WindowTest):
         saved, view = self.save()
         self.assert_as_rendered(saved, view, name=TRACT)
         self.assertEqual(abs(self.desktop.look_at(self.window)[:, :700] - saved).max(), 0)
+
+    def test_drop_without_a_file(self):
+        self.open_lines()
+        first, _ = self.save()
+        self.desktop.drop_text(self.window, "# nothing\r\n")
+        self.assertEqual(abs(self.save()[0] - first).max(), 0)
+        self.desktop.type_key(self.window, "q")
+        self.assertEqual(self.end(), "")
 
     def test_error_without_panel(self):
         self.open_lines()
@@ -352,6 +393,17 @@ class TestFiles(WindowTest):
         time.sleep(1.0)
         picture, view = self.save()
         self.assert_as_rendered(picture, view, name=TRACT)
+
+    def test_pictures_with_errors_are_not_saved(self):
+        self.start(LINES, "--size", "{}x{}".format(*SIZE), environment=WRONG_OPENGL)
+        desktop.wait_for(lambda: self.count_red() > 100, "an error")
+        for _ in range(2):
+            self.desktop.type_key(self.window, "s")
+            time.sleep(1.0)
+            self.assertGreater(self.count_red(), 100)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.desktop.type_key(self.window, "q")
+        self.assertIn("the picture cannot be drawn: ", self.end())
 
     def test_old_opengl(self):
         self.start(LINES, "--size", "{}x{}".format(*SIZE), environment=OLD_OPENGL)
@@ -400,10 +452,10 @@ class TestEnds(WindowTest):
         self.save()
         self.window.kill_client()
         self.desktop.display.sync()
-        self.end(1)
+        self.assertIn("X connection", self.end(1))
 
     def test_lost_display(self):
         self.open_lines()
         self.save()
         self.desktop.server.kill()
-        self.end(1)
+        self.assertIn("X connection", self.end(1))

@@ -99,12 +99,34 @@ class Desktop:
             self.move(*(a + (b - a) * step // 4 for a, b in zip(first, last)))
         self.release(button)
 
-    def type_key(self, window, name):
+    def press_at(self, x, y, button=1):
+        """Move there and press in one, so that a program gets both at once."""
+        xtest.fake_input(self.display, X.MotionNotify, x=x, y=y)
+        xtest.fake_input(self.display, X.ButtonPress, button)
+        self.display.sync()
+
+    def type_key(self, window, name, seconds=0):
+        """Press, hold and release a key."""
         window.set_input_focus(X.RevertToParent, X.CurrentTime)
-        code = self.display.keysym_to_keycode(XK.string_to_keysym(name))
+        code = self.find_key(name)
         xtest.fake_input(self.display, X.KeyPress, code)
+        self.display.sync()
+        time.sleep(seconds)
         xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
+
+    def find_key(self, name):
+        return self.display.keysym_to_keycode(XK.string_to_keysym(name))
+
+    def exchange_keys(self, first, second):
+        """Their labels, as the keyboards of other countries have them."""
+        codes = [self.find_key(name) for name in (first, second)]
+        labels = [self.display.get_keyboard_mapping(code, 1)[0] for code in codes]
+        for code, label in zip(codes, reversed(labels)):
+            self.display.change_keyboard_mapping(code, [label])
+        self.display.sync()
+        for code in codes:
+            self.display._update_keymap(code, 1)
 
     def send(self, window, kind, values):
         """A message of 5 numbers."""
@@ -116,7 +138,11 @@ class Desktop:
         self.send(window, "WM_PROTOCOLS", [self.atom("WM_DELETE_WINDOW"), X.CurrentTime, 0, 0, 0])
 
     def drop(self, window, *paths):
-        """Drop files, as a file manager does: the XDND protocol, version 5."""
+        """Drop files, as a file manager does."""
+        self.drop_text(window, "".join(f"file://{urllib.parse.quote(str(path))}\r\n" for path in paths))
+
+    def drop_text(self, window, text):
+        """Drop a list of addresses: the XDND protocol, version 5."""
         source = self.root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
         selection = self.atom("XdndSelection")
         source.set_selection_owner(selection, X.CurrentTime)
@@ -125,7 +151,6 @@ class Desktop:
         self.send(window, "XdndPosition",
                   [source.id, 0, 10 << 16 | 10, X.CurrentTime, self.atom("XdndActionCopy")])
         self.send(window, "XdndDrop", [source.id, 0, X.CurrentTime, 0, 0])
-        text = "".join(f"file://{urllib.parse.quote(str(path))}\r\n" for path in paths)
         request = self.wait_for_event(X.SelectionRequest)
         request.requestor.change_property(request.property, kind, 8, text.encode())
         request.requestor.send_event(protocol.event.SelectionNotify(

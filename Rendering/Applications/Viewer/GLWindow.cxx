@@ -26,6 +26,15 @@ std::string GetReason()
 }
 
 //------------------------------------------------------------------------------
+// GLFW names keys by where American keyboards have them.
+int FollowLabel(int key, int scancode)
+{
+  const char* label = glfwGetKeyName(key, scancode);
+  const bool isLetter = label && label[0] >= 'a' && label[0] <= 'z' && label[1] == 0;
+  return isLetter ? GLFW_KEY_A + (label[0] - 'a') : key;
+}
+
+//------------------------------------------------------------------------------
 GLWindow* GetWindow(GLFWwindow* handle)
 {
   return static_cast<GLWindow*>(glfwGetWindowUserPointer(handle));
@@ -129,11 +138,11 @@ void GLWindow::ListenTo()
       window->Listener.OnScroll(steps, window->MakePointer());
     });
   glfwSetKeyCallback(this->Handle,
-    [](GLFWwindow* handle, int key, int, int action, int)
+    [](GLFWwindow* handle, int key, int scancode, int action, int)
     {
-      if (action != GLFW_RELEASE)
+      if (action == GLFW_PRESS)
       {
-        GetWindow(handle)->Listener.OnKey(key);
+        GetWindow(handle)->Listener.OnKey(FollowLabel(key, scancode));
       }
     });
   glfwSetDropCallback(this->Handle,

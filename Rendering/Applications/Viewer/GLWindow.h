@@ -33,7 +33,7 @@ public:
   virtual void OnButton(int button, bool isPressed, const Pointer& pointer) = 0; // GLFW_MOUSE_...
   virtual void OnMove(const Pointer& pointer) = 0;
   virtual void OnScroll(double steps, const Pointer& pointer) = 0;
-  virtual void OnKey(int key) = 0; // GLFW_KEY_...
+  virtual void OnKey(int key) = 0; // GLFW_KEY_... of its label; once while it is held
   virtual void OnDrop(const std::vector<std::string>& fileNames) = 0;
   virtual void OnRefresh() = 0; // a new size, or uncovered
 };

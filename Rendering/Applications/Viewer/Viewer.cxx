@@ -67,7 +67,11 @@ void Viewer::Try(const Work& work)
   try
   {
     work();
-    this->Contents.Error = MessageLog::GetInstance().TakePrintedWarning();
+    const std::string warning = MessageLog::GetInstance().TakePrintedWarning();
+    if (!warning.empty())
+    {
+      this->Contents.Error = warning;
+    }
   }
   catch (const std::bad_alloc&)
   {
@@ -136,6 +140,13 @@ int Viewer::GetPanelWidth() const
 }
 
 //------------------------------------------------------------------------------
+// Where the mouse has just come there, the panel itself knows only after the next frame.
+bool Viewer::IsOverPanel(const Pointer& pointer) const
+{
+  return this->Panel.WantsMouse() || pointer.X >= this->Window.GetSize()[0] - this->GetPanelWidth();
+}
+
+//------------------------------------------------------------------------------
 void Viewer::Run()
 {
   const auto& size = this->Scene.Options.Size; // of the picture
@@ -146,7 +157,7 @@ void Viewer::Run()
     if (this->FramesToDraw > 0 || this->View.NeedsRender())
     {
       this->DrawFrame();
-      if (std::exchange(this->IsSaving, false))
+      if (std::exchange(this->IsSaving, false) && this->IsDrawn)
       {
         this->Try([this] { this->SavePicture(); });
       }
@@ -155,8 +166,8 @@ void Viewer::Run()
     {
       this->OpenDropped(); // after a frame that says so: reading may take long
     }
-    const bool isIdle = this->FramesToDraw == 0 && !this->View.NeedsRender() && !this->IsFading();
-    this->Window.HandleEvents(isIdle);
+    const bool isAtRest = this->FramesToDraw == 0 && !this->View.NeedsRender() && !this->IsFading();
+    this->Window.HandleEvents(isAtRest || this->IsHidden());
     if (this->IsFading())
     {
       this->View.Invalidate();
@@ -165,22 +176,30 @@ void Viewer::Run()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::DrawFrame()
+// Minimised windows have no pixels.
+bool Viewer::IsHidden() const
 {
   const auto pixels = this->Window.GetSize();
-  this->FramesToDraw = std::max(0, this->FramesToDraw - 1);
-  if (pixels[0] == 0 || pixels[1] == 0)
+  return pixels[0] == 0 || pixels[1] == 0;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DrawFrame()
+{
+  if (this->IsHidden())
   {
     this->FramesToDraw = 0;
     return;
   }
+  this->FramesToDraw = std::max(0, this->FramesToDraw - 1);
+  const auto pixels = this->Window.GetSize();
   this->Panel.SetScale(this->Window.GetScale());
   const int panelWidth = this->GetPanelWidth();
   this->Scene.SetSize(pixels[0] - panelWidth, pixels[1]);
   this->View.SetSize(pixels[0] - panelWidth, pixels[1]);
   try
   {
-    this->DrawView();
+    this->DrawView(this->FadeTime);
   }
   catch (const RenderError& error)
   {
@@ -217,18 +236,19 @@ PanelRequest Viewer::DrawControls()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::DrawView()
+void Viewer::DrawView(double fadeTime)
 {
   if (!this->View.NeedsRender())
   {
     this->View.Draw();
     return;
   }
+  this->IsDrawn = false;
   MessageLog& log = MessageLog::GetInstance();
   log.Clear();
   if (vtkExactTransparencyPass* pass = this->Scene.GetPass())
   {
-    pass->SetFadeTime(this->FadeTime);
+    pass->SetFadeTime(fadeTime);
   }
   const auto start = std::chrono::steady_clock::now();
   this->View.Draw();
@@ -241,6 +261,7 @@ void Viewer::DrawView()
   {
     throw RenderError("the picture cannot be drawn: " + log.GetFirstError());
   }
+  this->IsDrawn = true;
   if (log.HasWarnings())
   {
     log.PrintWarnings();
@@ -296,9 +317,8 @@ void Viewer::SavePicture()
   }
   if (this->IsFading())
   {
-    this->Scene.GetPass()->SetFadeTime(0.0);
     this->View.Invalidate();
-    this->View.Draw();
+    this->DrawView(0.0);
   }
   const std::string name = MakePictureName();
   CheckWritable(name);
@@ -312,9 +332,8 @@ void Viewer::WriteScreenshot()
 {
   const std::string& name = this->Scene.Options.Output;
   CheckWritable(name);
-  this->FadeTime = 0.0;
   this->View.SetSize(this->Scene.Options.Size[0], this->Scene.Options.Size[1]);
-  this->DrawView();
+  this->DrawView(0.0);
   if (!this->Contents.Error.empty())
   {
     throw RenderError(this->Contents.Error);
@@ -338,7 +357,7 @@ void Viewer::OpenDropped()
 void Viewer::OnButton(int button, bool isPressed, const Pointer& pointer)
 {
   this->FramesToDraw = FramesOfAnEvent;
-  if (isPressed && this->DraggingButton < 0 && !this->Panel.WantsMouse())
+  if (isPressed && this->DraggingButton < 0 && !this->IsOverPanel(pointer))
   {
     this->DraggingButton = button;
     this->View.OnButton(button, true, pointer);
@@ -364,7 +383,7 @@ void Viewer::OnMove(const Pointer& pointer)
 void Viewer::OnScroll(double steps, const Pointer& pointer)
 {
   this->FramesToDraw = FramesOfAnEvent;
-  if (!this->Panel.WantsMouse())
+  if (!this->IsOverPanel(pointer))
   {
     this->View.OnScroll(steps, pointer);
   }
@@ -386,6 +405,10 @@ void Viewer::OnKey(int key)
       break;
     case GLFW_KEY_S:
       this->IsSaving = true; // what the next frame shows: other keys may wait for it too
+      if (!this->IsDrawn)
+      {
+        this->View.Invalidate(); // and tell again what is wrong
+      }
       break;
     case GLFW_KEY_TAB:
       this->IsPanelShown = !this->IsPanelShown;
@@ -407,6 +430,10 @@ void Viewer::OnKey(int key)
 //------------------------------------------------------------------------------
 void Viewer::OnDrop(const std::vector<std::string>& fileNames)
 {
+  if (fileNames.empty())
+  {
+    return; // links of a browser, for example
+  }
   this->Dropped = fileNames;
   this->Contents.Error.clear();
   this->Contents.Message = "Reading " + fileNames.front();

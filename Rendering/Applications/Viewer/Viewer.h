@@ -41,13 +41,15 @@ private:
   void CheckOpenGL();
   void OpenDropped();
   void DrawFrame();
-  void DrawView();
+  void DrawView(double fadeTime);
   PanelRequest DrawControls();
   void Obey(const PanelRequest& request);
   void ShowScene();
   void TakeStatistics();
   void SavePicture();
   bool IsFading() const;
+  bool IsHidden() const;
+  bool IsOverPanel(const Pointer& pointer) const;
   int GetPanelWidth() const;
 
   ViewedScene Scene;
@@ -58,6 +60,7 @@ private:
   double FadeTime = 0.3; // seconds
   bool IsPanelShown = true;
   bool IsSaving = false;
+  bool IsDrawn = false;             // the last picture, without an error
   int DraggingButton = -1;          // the one that was pressed over the picture; -1: none
   int FramesToDraw = 0;             // until the panel has come to rest
   std::vector<std::string> Dropped; // files to open
