@@ -25,10 +25,8 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     may_map_scalars = arguments["scalars"] is not None or not {"color", "texture"}.intersection(arguments)
     if show_scalar_bar and bar_title is not None and may_map_scalars and not arguments.get("rgb"):
         _check_room_for(plotter, bar)
-    if "cmap" in arguments:
-        arguments["cmap"] = _color_map(arguments["cmap"])
 
-    actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **arguments)
+    actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **_with_color_map(arguments))
     replaced = actor.GetMapper()
     mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
     mapper.ShallowCopy(replaced)
@@ -45,14 +43,18 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     return actor
 
 
-def _color_map(cmap):
-    """What PyVista takes for it."""
+def _with_color_map(arguments):
+    """The arguments with a cmap that PyVista takes."""
+    cmap = arguments.get("cmap")
     if isinstance(cmap, vtkScalarsToColors) and not isinstance(cmap, pyvista.LookupTable):
         raise TypeError("cmap: expected the name of a color map, colors or a pyvista.LookupTable for a "
                         f"PyVista plotter, found {brief(cmap)}")
     is_array = hasattr(cmap, "__array__") or (
         isinstance(cmap, (list, tuple)) and not all(isinstance(color, str) for color in cmap))
-    return ListedColormap(colors_of(cmap)) if is_array else cmap
+    if not is_array:
+        return arguments
+    colors = colors_of(cmap)
+    return {"n_colors": len(colors), **arguments, "cmap": ListedColormap(colors)}
 
 
 def _check_room_for(plotter, bar):

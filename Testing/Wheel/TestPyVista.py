@@ -374,6 +374,10 @@ class TestAddLines(PlotterTest):
         for picture in pictures[1:-1]:
             numpy.testing.assert_array_equal(picture, pictures[0])
         self.assertTrue((pictures[-1] != pictures[0]).any())
+        many = numpy.linspace((0, 0, 0), (1, 1, 1), 1000)
+        for data in (crossing_lines(), pyvista.MultiBlock([crossing_lines()])):
+            actor = pellucid.add_lines(self.plotter, data, scalars="Height", cmap=many, show_scalar_bar=False)
+            self.assertEqual(actor.GetMapper().GetLookupTable().GetNumberOfTableValues(), 1000)
         for error, message, wrong in (
             (ValueError, "cmap: expected colors in .0, 1. as an array of shape", [(0, 0, 255)]),
             (TypeError, "cmap: expected the name of a color map, colors or a pyvista.LookupTable for a "
