@@ -500,8 +500,13 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(const SceneDescription& scene, BuildOr
   std::vector<PropDescription> props = scene.Props;
   // At samples beside the centre of a pixel, depths are extrapolated, beyond other surfaces too.
   const bool movesDepths = !KeepsDepths(scene) || scene.Samples > 0;
-  const auto fixed = std::stable_partition(props.begin(), props.end(),
-    [&](const PropDescription& prop) { return IsOpaque(prop) && movesDepths; });
+  // Segments of one depth, colour and importance are told apart by their numbers.
+  const auto needsOrder = [&](const PropDescription& prop)
+  {
+    return (IsOpaque(prop) && movesDepths) ||
+      (prop.Method == "optimization" && !KeepsDepths(scene));
+  };
+  const auto fixed = std::stable_partition(props.begin(), props.end(), needsOrder);
   if (order == BuildOrder::Shuffled)
   {
     std::reverse(fixed, props.end());
