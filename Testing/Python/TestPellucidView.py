@@ -205,11 +205,24 @@ class TestMouseAndKeys(WindowTest):
         picture, view = self.save()
         self.assertEqual(picture.shape, (500, 400, 3))
         self.assert_as_rendered(picture, view)
+        self.assert_as_rendered(picture, ["--size", "400x500"])
         # The panel leaves the picture the whole window.
         self.desktop.type_key(self.window, "Tab")
         picture, view = self.save()
         self.assertEqual(picture.shape, (500, 700, 3))
         self.assert_as_rendered(picture, view)
+        self.assert_as_rendered(picture, ["--size", "700x500"])
+
+    def test_a_turned_view_stays_where_the_size_changes(self):
+        self.open_lines()
+        self.desktop.drag(MIDDLE, (MIDDLE[0] + 60, MIDDLE[1] + 30))
+        _, (_, _, *turned) = self.save()
+        self.desktop.type_key(self.window, "Tab")
+        picture, (_, size, *view) = self.save()
+        self.assertEqual((size, view), (f"{SIZE[0] + PANEL}x{SIZE[1]}", turned))
+        self.desktop.type_key(self.window, "r")
+        picture, _ = self.save()
+        self.assert_as_rendered(picture, ["--size", size])
 
     def test_sleeps(self):
         self.open_lines("--optimize")
@@ -254,7 +267,6 @@ class TestMouseAndKeys(WindowTest):
         self.assertEqual(self.window.get_geometry().width, 700 + 2 * PANEL)
         self.assert_as_rendered(picture, view)
 
-
     def test_small_screen(self):
         self.start(LINES, size="1280x800")
         picture, view = self.save()
@@ -262,6 +274,7 @@ class TestMouseAndKeys(WindowTest):
         size = self.window.get_geometry()
         self.assertEqual((size.x, size.y, size.width, size.height), (0, 0, 1280, 800))
         self.assert_as_rendered(picture, view)
+        self.assert_as_rendered(picture, ["--size", f"{1280 - PANEL}x800"])
 
 
 class TestPanel(WindowTest):
@@ -309,7 +322,6 @@ class TestPanel(WindowTest):
         time.sleep(0.5)
         picture, view = self.save()
         self.assert_as_rendered(picture, view, *first, "--importance", "Density:50%:99%")
-
 
     def test_the_scene_stays_where_the_panel_is_pressed(self):
         self.open_lines()

@@ -148,13 +148,23 @@ void ViewedScene::ResetCamera()
   {
     this->Renderer->GetActiveCamera()->ParallelProjectionOff();
     SetUpCamera(this->Renderer, this->Made->Drawn, this->Options, this->GetAspect());
+    this->FirstCamera = this->DescribeCamera();
   }
 }
 
 //------------------------------------------------------------------------------
 void ViewedScene::SetSize(int width, int height)
 {
-  this->Options.Size = { width, height };
+  const std::array<int, 2> size = { width, height };
+  if (size == this->Options.Size)
+  {
+    return;
+  }
+  this->Options.Size = size;
+  if (this->Renderer && this->DescribeCamera() == this->FirstCamera)
+  {
+    this->ResetCamera();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -168,11 +178,17 @@ double ViewedScene::GetRadius() const
 //------------------------------------------------------------------------------
 std::string ViewedScene::DescribeView() const
 {
+  return "--size " + std::to_string(this->Options.Size[0]) + "x" +
+    std::to_string(this->Options.Size[1]) + this->DescribeCamera();
+}
+
+//------------------------------------------------------------------------------
+std::string ViewedScene::DescribeCamera() const
+{
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  std::string text = "--size " + std::to_string(this->Options.Size[0]) + "x" +
-    std::to_string(this->Options.Size[1]) + " --camera-position " +
-    ListCoordinates(camera->GetPosition()) + " --focal-point " +
-    ListCoordinates(camera->GetFocalPoint()) + " --view-up " + ListCoordinates(camera->GetViewUp());
+  std::string text = " --camera-position " + ListCoordinates(camera->GetPosition()) +
+    " --focal-point " + ListCoordinates(camera->GetFocalPoint()) + " --view-up " +
+    ListCoordinates(camera->GetViewUp());
   if (camera->GetParallelProjection())
   {
     text += " --parallel-scale " + ToText(camera->GetParallelScale());
@@ -203,6 +219,10 @@ void ViewedScene::Show(const MadeScene& made, const RenderOptions& options, vtkC
   }
   this->Pass = options.RenderMethod == Method::Pellucid ? MakeExact(renderer, options) : nullptr;
   this->Renderer = renderer;
+  if (!camera)
+  {
+    this->FirstCamera = this->DescribeCamera();
+  }
 }
 
 //------------------------------------------------------------------------------

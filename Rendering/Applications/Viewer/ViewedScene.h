@@ -14,6 +14,8 @@
 #include "vtkSmartPointer.h"
 
 #include <memory> // for what is made anew
+#include <string>
+#include <vector>
 
 class vtkCamera;
 class vtkExactTransparencyPass;
@@ -52,6 +54,7 @@ public:
   /** Put the camera where it was at first, for the size that the picture has now. */
   void ResetCamera();
 
+  /** Of the picture. A camera that nobody has moved follows it, as ResetCamera() would. */
   void SetSize(int width, int height);
 
   /** Null before a file was opened, and another one after some changes. */
@@ -75,6 +78,7 @@ public:
 
 private:
   RenderOptions GetEffectiveOptions() const;
+  std::string DescribeCamera() const;
   double GetAspect() const;
 
   /** By the camera of the options where there is none. Change nothing before all has succeeded. */
@@ -82,6 +86,7 @@ private:
 
   std::vector<Drawable> Drawables; // as read and traced
   std::vector<std::string> ArrayNames;
+  std::string FirstCamera; // as it was before anybody moved it
   std::unique_ptr<MadeScene> Made;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkExactTransparencyPass* Pass = nullptr; // of the renderer
