@@ -71,12 +71,16 @@ public:
     this->HasOpaque = false;
   }
 
-  /** Add a surface; what is fully transparent leaves no trace, as VTK's shaders discard it. */
+  /**
+   * Add a surface; what is fully transparent leaves no trace, as VTK's shaders discard it. That is
+   * also what rounding leaves of 0, such as on the edge between two corners without opacity: even
+   * so little would lend its importance to the pixel.
+   */
   void Add(const Fragment<Real>& fragment, bool opaque)
   {
     if (!opaque)
     {
-      if (fragment.color.a > 0)
+      if (fragment.color.a > Real(1e-12))
       {
         this->Translucent.push_back(fragment);
       }

@@ -89,7 +89,10 @@ void TestOrder(Checks& checks)
 
   pixel.Clear();
   pixel.Add({ 0.5, Color(1, 0, 0, 0.0) }, false);
+  pixel.Add({ 0.5, Color(1, 0, 0, 1e-14) }, false);
   checks.True("full transparency leaves no fragment", pixel.GetTranslucent().empty());
+  pixel.Add({ 0.5, Color(1, 0, 0, 1e-10) }, false);
+  checks.True("any other does", pixel.GetTranslucent().size() == 1);
 }
 
 void TestShuffles(Checks& checks)
