@@ -9,7 +9,6 @@
 #include "vtkTriangleSurface.h"
 
 #include <algorithm>
-#include <atomic>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -91,8 +90,6 @@ void vtkSegmentDistances::Refine(const vtkHeatGeodesics& geodesics, const Progre
 {
   const auto entriesOfSamples = this->FindEntriesOfSamples();
   const auto groups = this->GroupSamples(entriesOfSamples);
-  std::atomic<bool> goOn{ true };
-  std::atomic<std::size_t> done{ 0 };
   const auto solve = [&](const std::vector<int>& group)
   {
     std::vector<vtkIdType> sources;
@@ -116,19 +113,17 @@ void vtkSegmentDistances::Refine(const vtkHeatGeodesics& geodesics, const Progre
       }
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(groups.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType group = begin; group < end && goOn; ++group)
-      {
-        solve(groups[group]);
-        ++done;
-        if (vtkSMPTools::GetSingleThread())
-        {
-          goOn = progress(static_cast<double>(done) / static_cast<double>(groups.size()));
-        }
-      }
-    });
+  const auto count = static_cast<vtkIdType>(groups.size());
+  const vtkIdType batch = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
+  bool goOn = true;
+  for (vtkIdType first = 0; first < count && goOn; first += batch)
+  {
+    const vtkIdType last = std::min(first + batch, count);
+    vtkSMPTools::For(first, last, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      { std::for_each(groups.begin() + begin, groups.begin() + end, solve); });
+    goOn = progress(static_cast<double>(last) / static_cast<double>(count));
+  }
 
   vtkSMPTools::For(0, this->Surface.GetNumberOfVertices(),
     [this](vtkIdType begin, vtkIdType end)

@@ -27,6 +27,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <thread>
 #include <tuple>
 
 namespace
@@ -467,14 +468,27 @@ void TestMessages(Checks& checks)
 void TestThreads(Checks& checks)
 {
   const Mesh mesh = MakePlane(61, 61, 0.3, 0.4);
+  const Mesh triangle = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 0, 1, 2 } };
+  std::set<std::thread::id> reporting;
+  vtkNew<vtkCallbackCommand> report;
+  report->SetClientData(&reporting);
+  report->SetCallback(
+    [](vtkObject*, unsigned long, void* ids, void*)
+    { static_cast<std::set<std::thread::id>*>(ids)->insert(std::this_thread::get_id()); });
   std::vector<Segments> results;
   for (const int threads : { 1, 2, 3 })
   {
-    vtkSMPTools::Config config;
-    config.MaxNumberOfThreads = threads;
-    config.Backend = "STDThread";
-    vtkSMPTools::LocalScope(config, [&] { results.push_back(Filter().Run(mesh, 60)); });
+    const auto run = [&]
+    {
+      Filter filter;
+      filter->AddObserver(vtkCommand::ProgressEvent, report);
+      results.push_back(filter.Run(mesh, 60));
+      checks.True("threads, less work than there are", Filter().Run(triangle, 3).IsComplete());
+    };
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false), run);
   }
+  checks.True("threads, progress from the one that called",
+    reporting == std::set<std::thread::id>{ std::this_thread::get_id() });
   for (const Segments& result : results)
   {
     checks.True("threads, same bits",
