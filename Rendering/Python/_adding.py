@@ -51,7 +51,8 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
 
         and for a plotter also above_color, annotations, below_color, categories, component,
         flip_scalars, interpolate_before_map, label, log_scale, n_colors, name, nan_opacity,
-        preference, render, reset_camera, rgb, scalar_bar_args, show_scalar_bar and user_matrix.
+        preference, render, reset_camera, rgb, scalar_bar_args, show_scalar_bar and user_matrix. Scalars that
+        are mapped to colours have a bar of their range, of composite data and with any opacity too.
 
     Values are one for each point, for lines from arrays also m x n of them or a list for each line; or
     one for each cell, that is for each line (a radius or importance of a point is then the mean of the
