@@ -15,7 +15,7 @@ from ._appearance import (
 )
 from ._arguments import check_names, check_number, class_name, number_of
 from ._geometry import check_radii, line_data, point_data, surface_data, with_arrays
-from ._opacities import OPTIMIZATION_PARAMETERS, optimize
+from ._opacities import OPTIMIZATION_PARAMETERS, attach_optimization, warn_of_even_importance
 from ._renderers import install
 from .vtkPellucidRendering import vtkTrajectoryMapper
 
@@ -125,11 +125,14 @@ def _add(view, data, arguments, own, *, for_plotters=PLOTTER_ARGUMENTS, default_
     actor.SetMapper(mapper)
 
     def follow_importance(chosen):
-        if opacity:
-            optimize(chosen, **{"preset": default_preset, **opacity, "importance": names["importance"]})
+        return opacity and attach_optimization(chosen, **{
+            "preset": default_preset, "importance_range": (0.0, 1.0), **opacity,
+            "importance": names["importance"]})
 
     # Before the view changes, so that it does not where this raises an exception.
-    follow_importance(actor)
+    optimization = follow_importance(actor)
+    if optimization:
+        warn_of_even_importance(data, optimization)
     if not is_plotter:
         set_appearance(actor, data, **arguments)
         view.AddActor(actor)

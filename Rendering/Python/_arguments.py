@@ -5,6 +5,7 @@
 import math
 import numbers
 import sys
+import warnings
 
 import numpy
 from vtkmodules.vtkCommonCore import vtkObjectBase
@@ -110,6 +111,14 @@ def set_parameters(target, parameters, known):
             least, most = (getattr(target, f"Get{member}{end}Value")() for end in ("Min", "Max"))
             check_number(name, value, least, most, numbers.Integral if kind is int else numbers.Real)
         getattr(target, "Set" + member)(value)
+
+
+def warn(message):
+    """At the line of the program that called into this package."""
+    level, frame = 1, sys._getframe()
+    while frame and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, stacklevel=level)
 
 
 def _as_float(number):

@@ -5,6 +5,7 @@
 import base64
 import io
 import unittest
+import warnings
 
 import numpy
 import pyvista
@@ -284,6 +285,13 @@ class TestAddLines(PlotterTest):
             self.assert_exact(plotter)
             opacities = pellucid.optimized_opacities(plotter.renderer, actor)
             self.assertLess(numpy.nanmin(opacities), 0.1)
+
+    def test_even_importance_is_told_once(self):
+        with warnings.catch_warnings(record=True) as found:
+            warnings.simplefilter("always")
+            pellucid.add_lines(self.plotter, crossing_lines(), importance="Height", importance_range=(3, 4))
+        told = [warning for warning in found if "importance is 0 everywhere" in str(warning.message)]
+        self.assertEqual([warning.filename for warning in told], [__file__])
 
     def test_arrays_take_names_that_nothing_has(self):
         lines = crossing_lines()
