@@ -25,6 +25,13 @@ OTHER_NAMES = {
     "depth_weight": ("d",),
     "importance_exponent": ("lambda", "lambda_", "lam"),
 }
+# What PyVista has and the function at hand has not.
+HINTS = {
+    "render_lines_as_tubes": "leave it out: lines are tubes already, with the radius of add_lines()",
+    "render_points_as_spheres": "leave it out: points are balls already, with the radius of add_points()",
+    "style": "lines are tubes and points balls; only add_surface() to a PyVista plotter has it",
+    "use_transparency": "use opacity, which is 1 - transparency",
+}
 LARGEST_PICTURE = 65536  # pixels in width and height, as pellucid-render has it
 
 
@@ -60,8 +67,8 @@ def check_names(arguments, known):
     for name in arguments:
         if name not in known:
             meant = [ours for ours, others in OTHER_NAMES.items() if name in others and ours in known]
-            raise TypeError(f"unknown parameter {name!r}; "
-                            + (f"use {meant[0]}" if meant else f"there are {', '.join(known)}"))
+            hint = f"use {meant[0]}" if meant else HINTS.get(name, f"there are {', '.join(known)}")
+            raise TypeError(f"unknown parameter {name!r}; {hint}")
 
 
 def check_choice(name, value, choices):
