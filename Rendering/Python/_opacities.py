@@ -149,9 +149,9 @@ def warn_of_even_importance(data, opacity):
         levels.add(0.0)
     if len(levels) == 1 and (not ends or low == high or ends[0] < ends[1]):
         found = "them from {:g} to {:g}".format(*ends) if ends else "NaN alone"
-        warn(f"importance is {levels.pop():g} everywhere, so that nothing fades in favour of anything else; "
-             f"expected values of {name!r} that differ within importance_range ({low:g}, {high:g}), found "
-             f"{found}; choose other limits or another array")
+        warn(f"importance is {levels.pop():g} everywhere in this actor, so that within it nothing fades in favour "
+             f"of anything else; expected values of {name!r} that differ within importance_range ({low:g}, "
+             f"{high:g}), found {found}; choose other limits or another array")
 
 
 def _importance_of(value, low, high):

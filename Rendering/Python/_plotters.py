@@ -34,9 +34,9 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
     mapper.ShallowCopy(replaced)
     actor.SetMapper(mapper)
-    if mapped is not None:
-        _set_what_bars_show(mapper, data, mapped, arguments)
     try:
+        if mapped is not None:
+            _set_what_bars_show(mapper, data, mapped, arguments)
         follow_importance(actor)
         if has_bar and mapper.GetScalarVisibility():
             plotter.add_scalar_bar(mapper=mapper, render=False, **bar)

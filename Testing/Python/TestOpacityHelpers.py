@@ -281,14 +281,14 @@ class TestAvoid(unittest.TestCase):
 
 class TestWarnings(unittest.TestCase):
     ROWS = (
-        (r"importance is 0 everywhere, so that nothing fades in favour of anything else; expected values of "
-         r"'speed' that differ within importance_range \(1, 1\), found them from 0 to 0.5; choose other limits "
-         "or another array", (0, 0.5, 0, 0.5), (1, 1)),
-        (r"importance is 1 everywhere, .* \(0, 0\), found them from 0 to 0.5", (0, 0.5, 0, 0.5), (0, 0)),
-        (r"importance is 0 everywhere, .* \(1, 1\), found them from 0 to 0", (0, 0, 0, 0), (1, 1)),
-        (r"importance is 1 everywhere, .* \(0, 1\), found them from 3 to 20", (3, 20, 5, 6), (0, 1)),
-        (r"importance is 0 everywhere, .* \(9, 8\), found them from 10 to inf", (10, numpy.inf, 12, 10), (9, 8)),
-        (r"importance is 0 everywhere, .* \(0, 1\), found NaN alone", (numpy.nan,) * 4, (0, 1)),
+        (r"importance is 0 everywhere in this actor, so that within it nothing fades in favour of anything else; "
+         r"expected values of 'speed' that differ within importance_range \(1, 1\), found them from 0 to 0.5; "
+         "choose other limits or another array", (0, 0.5, 0, 0.5), (1, 1)),
+        (r"importance is 1 everywhere in this actor, .* \(0, 0\), found them from 0 to 0.5", (0, 0.5, 0, 0.5), (0, 0)),
+        (r"importance is 0 everywhere in this actor, .* \(1, 1\), found them from 0 to 0", (0, 0, 0, 0), (1, 1)),
+        (r"importance is 1 everywhere in this actor, .* \(0, 1\), found them from 3 to 20", (3, 20, 5, 6), (0, 1)),
+        (r"importance is 0 everywhere in this actor, .* \(9, 8\), found them from 10 to inf", (10, numpy.inf, 12, 10), (9, 8)),
+        (r"importance is 0 everywhere in this actor, .* \(0, 1\), found NaN alone", (numpy.nan,) * 4, (0, 1)),
     )
 
     def test_even_importance_is_told_once(self):
