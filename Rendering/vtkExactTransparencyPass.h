@@ -108,12 +108,12 @@ public:
 
   ///@{
   /**
-   * Largest size of the fragment lists in MiB, at least 1. Default 1024, room for 49 million
-   * fragments at a time, half of that where opacities follow from importance, or for 16 million
-   * where OpenGL limits a buffer to 128 MiB as Mesa's software renderer does. A scene that needs
-   * more is drawn in several rectangles, which costs one more traversal of the geometry for each.
-   * Only the list of a single pixel may exceed the limit; a warning tells. The copies of the opaque
-   * scene come on top: 8 bytes for each sample, 20 for each in a floating-point target.
+   * Largest size of the fragment lists in MiB, at least 1; less counts as 1. Default 1024, room for
+   * 49 million fragments at a time, half of that where opacities follow from importance, or for 16
+   * million where OpenGL limits a buffer to 128 MiB as Mesa's software renderer does. A scene that
+   * needs more is drawn in several rectangles, which costs one more traversal of the geometry for
+   * each. Only the list of a single pixel may exceed the limit; a warning tells. The copies of the
+   * opaque scene come on top: 8 bytes for each sample, 20 for each in a floating-point target.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);

@@ -15,7 +15,7 @@ from ._appearance import (
 )
 from ._arguments import check_names, check_number, class_name, number_of
 from ._geometry import check_radii, line_data, point_data, surface_data, with_arrays
-from ._opacities import OPTIMIZATION_PARAMETERS, optimize
+from ._opacities import OPTIMIZATION_PARAMETERS, attach_optimization, warn_of_even_importance
 from ._renderers import install
 from .vtkPellucidRendering import vtkTrajectoryMapper
 
@@ -51,7 +51,8 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
 
         and for a plotter also above_color, annotations, below_color, categories, component,
         flip_scalars, interpolate_before_map, label, log_scale, n_colors, name, nan_opacity,
-        preference, render, reset_camera, rgb, scalar_bar_args, show_scalar_bar and user_matrix.
+        preference, render, reset_camera, rgb, scalar_bar_args, show_scalar_bar and user_matrix. Scalars that
+        are mapped to colours have a bar of their range, of composite data and with any opacity too.
 
     Values are one for each point, for lines from arrays also m x n of them or a list for each line; or
     one for each cell, that is for each line (a radius or importance of a point is then the mean of the
@@ -124,11 +125,14 @@ def _add(view, data, arguments, own, *, for_plotters=PLOTTER_ARGUMENTS, default_
     actor.SetMapper(mapper)
 
     def follow_importance(chosen):
-        if opacity:
-            optimize(chosen, **{"preset": default_preset, **opacity, "importance": names["importance"]})
+        return opacity and attach_optimization(chosen, **{
+            "preset": default_preset, "importance_range": (0.0, 1.0), **opacity,
+            "importance": names["importance"]})
 
     # Before the view changes, so that it does not where this raises an exception.
-    follow_importance(actor)
+    optimization = follow_importance(actor)
+    if optimization:
+        warn_of_even_importance(data, optimization)
     if not is_plotter:
         set_appearance(actor, data, **arguments)
         view.AddActor(actor)

@@ -35,7 +35,7 @@ def checked_appearance(data, arguments):
     for name, most in (("ambient", 1), ("diffuse", 1), ("specular", 1), ("specular_power", 128)):
         check_number(name, arguments.get(name, 0), 0, most)
     scalars = arguments.get("scalars")
-    if isinstance(scalars, str) and not _find_scalars(data, scalars)[1]:
+    if isinstance(scalars, str) and not find_scalars(data, scalars)[1]:
         raise ValueError(f"scalars: there is no array {scalars!r} of points or cells; there are "
                          f"{listed(array_names(data))}")
     if "clim" not in arguments:
@@ -115,7 +115,7 @@ def colors_of(cmap):
 
 
 def _color_by(mapper, data, scalars, clim, table):
-    fields, arrays = _find_scalars(data, scalars)
+    fields, arrays = find_scalars(data, scalars)
     if not arrays:
         mapper.ScalarVisibilityOff()
         return
@@ -123,21 +123,21 @@ def _color_by(mapper, data, scalars, clim, table):
         mapper.SelectColorArray(scalars)
         getattr(mapper, f"SetScalarModeToUse{fields}FieldData")()
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(_finite_range(arrays, table) if clim is None else clim)
-
-
-def _finite_range(arrays, table):
-    """Of the finite values of all, magnitudes or a component as the table has it; without any 0 to 1."""
     component = table.GetVectorComponent() if table.GetVectorMode() == table.COMPONENT else -1
+    mapper.SetScalarRange(finite_range(arrays, component) if clim is None else clim)
+
+
+def finite_range(arrays, component):
+    """Of the finite values of all, of magnitudes where the component is -1; without any 0 to 1."""
     ranges = [array.GetFiniteRange(min(component, array.GetNumberOfComponents() - 1)
                                    if array.GetNumberOfComponents() > 1 else 0) for array in arrays]
     low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
     return (low, high) if low <= high else (0, 1)
 
 
-def _find_scalars(data, name):
+def find_scalars(data, name, preference="point"):
     """Whether it is of points or cells, and the arrays of that name, or the active ones."""
-    for fields in ("Point", "Cell"):
+    for fields in ("Cell", "Point") if preference == "cell" else ("Point", "Cell"):
         attributes = [getattr(leaf, f"Get{fields}Data")() for leaf in leaves_of(data)]
         arrays = [attribute.GetScalars() if name is None else attribute.GetArray(name)
                   for attribute in attributes]

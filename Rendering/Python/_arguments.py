@@ -5,6 +5,7 @@
 import math
 import numbers
 import sys
+import warnings
 
 import numpy
 from vtkmodules.vtkCommonCore import vtkObjectBase
@@ -23,6 +24,13 @@ OTHER_NAMES = {
     "directional_variance_weight": ("v",),
     "depth_weight": ("d",),
     "importance_exponent": ("lambda", "lambda_", "lam"),
+}
+# What PyVista has and the function at hand has not.
+HINTS = {
+    "render_lines_as_tubes": "leave it out: lines are tubes already, with the radius of add_lines()",
+    "render_points_as_spheres": "leave it out: points are balls already, with the radius of add_points()",
+    "style": "lines are tubes and points balls; only add_surface() to a PyVista plotter has it",
+    "use_transparency": "use opacity, which is 1 - transparency",
 }
 LARGEST_PICTURE = 65536  # pixels in width and height, as pellucid-render has it
 
@@ -59,8 +67,8 @@ def check_names(arguments, known):
     for name in arguments:
         if name not in known:
             meant = [ours for ours, others in OTHER_NAMES.items() if name in others and ours in known]
-            raise TypeError(f"unknown parameter {name!r}; "
-                            + (f"use {meant[0]}" if meant else f"there are {', '.join(known)}"))
+            hint = f"use {meant[0]}" if meant else HINTS.get(name, f"there are {', '.join(known)}")
+            raise TypeError(f"unknown parameter {name!r}; {hint}")
 
 
 def check_choice(name, value, choices):
@@ -110,6 +118,14 @@ def set_parameters(target, parameters, known):
             least, most = (getattr(target, f"Get{member}{end}Value")() for end in ("Min", "Max"))
             check_number(name, value, least, most, numbers.Integral if kind is int else numbers.Real)
         getattr(target, "Set" + member)(value)
+
+
+def warn(message):
+    """At the line of the program that called into this package."""
+    level, frame = 1, sys._getframe()
+    while frame and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, stacklevel=level)
 
 
 def _as_float(number):

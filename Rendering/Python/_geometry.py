@@ -98,7 +98,9 @@ def leaves_of(data):
 def check_scalar_array(data, argument, name):
     """That data, unless it has no points, has a point array of that name and one component."""
     if not isinstance(name, str):
-        raise TypeError(f"{argument}: expected the name of a point array, found {brief(name)}")
+        raise TypeError(f"{argument}: expected the name of a point array, found {brief(name)}; put the "
+                        "values into the data as one, or give them to add_lines(), add_points() or "
+                        "add_surface()")
     leaves = [leaf for leaf in leaves_of(data) if leaf.GetNumberOfPoints()]
     names = {array.GetName() for leaf in leaves for array in map(
         leaf.GetPointData().GetArray, range(leaf.GetPointData().GetNumberOfArrays()))
@@ -106,6 +108,16 @@ def check_scalar_array(data, argument, name):
     if leaves and name not in names:
         raise ValueError(f"{argument}: there is no point array {name!r} of one component; "
                          f"there are {listed(names)}")
+
+
+def scalars_of_points(data, name):
+    """The values of that array at all points, NaN where data has no such array of one component."""
+    parts = [numpy.empty(0)]
+    for leaf in leaves_of(data):
+        array = leaf.GetPointData().GetArray(name)
+        has_scalars = array and array.GetNumberOfComponents() == 1
+        parts.append(vtk_to_numpy(array) if has_scalars else numpy.full(leaf.GetNumberOfPoints(), numpy.nan))
+    return numpy.concatenate(parts)
 
 
 def check_radii(data, name):

@@ -7,8 +7,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from ._arguments import check_choice, checked, class_name, finite_pair, set_parameters
-from ._geometry import check_scalar_array, leaves_of
+from ._arguments import check_choice, checked, class_name, finite_pair, set_parameters, warn
+from ._geometry import check_scalar_array, leaves_of, scalars_of_points
 from .vtkPellucidFilters import vtkSurfaceSegments, vtkTrajectorySegments
 from .vtkPellucidRendering import (
     vtkImportanceDrivenOpacity,
@@ -50,8 +50,18 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
 
     Returns the vtkOpacityOptimization; actors whose data has segments can have the same by `Attach`.
     restore() ends it, and takes the segments from all actors with the same mapper.
-    Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
+    Raises ValueError or TypeError, and changes nothing, where an argument is wrong. Warns where values
+    that differ all mean the same importance, or all are NaN. Equal values are for an actor that gives way,
+    or stays, as a whole.
     """
+    optimization = attach_optimization(
+        actor, preset=preset, importance=importance, importance_range=importance_range, **parameters)
+    warn_of_even_importance(_own_input(actor.GetMapper()), optimization)
+    return optimization
+
+
+def attach_optimization(actor, *, preset, importance, importance_range, **parameters):
+    """What optimize() does, without its warning."""
     optimization = vtkOpacityOptimization()
     check_choice("preset", preset, presets())
     optimization.UsePreset(preset)
@@ -77,7 +87,7 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
         them.
 
     Returns the vtkOcclusionAvoidance; other actors can have the same by `Attach`. restore() ends it.
-    Raises ValueError or TypeError, and changes nothing, where an argument is wrong.
+    Raises ValueError or TypeError, and changes nothing, where an argument is wrong; warns as optimize().
     """
     avoidance = vtkOcclusionAvoidance()
     modes = {"penalty": avoidance.PENALTY, "weighting": avoidance.WEIGHTING}
@@ -88,7 +98,9 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
         "depth_weight", "importance_exponent", "global_opacity", "smooth_attributes"))
     avoidance.SetImportanceRange(*finite_pair("importance_range", importance_range))
     _check_importance(actor, importance)
-    return _attach(actor, avoidance, importance)
+    _attach(actor, avoidance, importance)
+    warn_of_even_importance(_own_input(actor.GetMapper()), avoidance)
+    return avoidance
 
 
 def restore(actor):
@@ -120,6 +132,37 @@ def optimized_opacities(renderer, actor):
     opacities = vtk_to_numpy(found).copy()
     opacities[opacities < 0] = numpy.nan
     return opacities
+
+
+def warn_of_even_importance(data, opacity):
+    """Where values that differ, or are no numbers, are all of the same importance.
+
+    Equal numbers are left alone unless their range has equal ends too: they let an actor give way as a
+    whole.
+    """
+    name, (low, high) = opacity.GetImportanceArray(), opacity.GetImportanceRange()
+    values = scalars_of_points(data, name)
+    known = values[~numpy.isnan(values)]
+    ends = (known.min(), known.max()) if len(known) else ()
+    levels = {_importance_of(end, low, high) for end in ends}
+    if len(known) < len(values):
+        levels.add(0.0)
+    if len(levels) == 1 and (not ends or low == high or ends[0] < ends[1]):
+        found = "them from {:g} to {:g}".format(*ends) if ends else "NaN alone"
+        warn(f"importance is {levels.pop():g} everywhere in this actor, so that within it nothing fades in favour "
+             f"of anything else; expected values of {name!r} that differ within importance_range ({low:g}, "
+             f"{high:g}), found {found}; choose other limits or another array")
+
+
+def _importance_of(value, low, high):
+    """As vtkImportanceDrivenOpacity defines it."""
+    return float(value >= low) if low == high else min(max((value - low) / (high - low), 0.0), 1.0)
+
+
+def _own_input(mapper):
+    """Without the segments, which would take their time here."""
+    algorithm = mapper.GetInputAlgorithm()
+    return algorithm.GetInputDataObject(0, 0) if hasattr(algorithm, "_pellucid_inserted") else _input(mapper)
 
 
 def _input(mapper):

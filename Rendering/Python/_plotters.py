@@ -5,9 +5,13 @@
 import pyvista
 from matplotlib.colors import ListedColormap
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
-from ._appearance import colors_of
+from ._appearance import colors_of, find_scalars, finite_range
 from ._arguments import brief
+
+# Of vtkMapper; the Python wrappers of VTK 9.2 do not name them.
+VTK_COLOR_MODE_DEFAULT, VTK_COLOR_MODE_DIRECT_SCALARS = 0, 2
 
 
 def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, arguments):
@@ -19,11 +23,10 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     scalar_bar_args = arguments.pop("scalar_bar_args", {})
     show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar or bool(scalar_bar_args))
     _check_scalar_bar(scalar_bar_args)
-    if bar_title is None:
-        bar_title = getattr(pyvista.wrap(data), "active_scalars_name", None)
-    bar = {"title": bar_title, **scalar_bar_args}
-    may_map_scalars = arguments["scalars"] is not None or not {"color", "texture"}.intersection(arguments)
-    if show_scalar_bar and bar_title is not None and may_map_scalars and not arguments.get("rgb"):
+    mapped = _mapped_scalars(data, arguments)
+    bar = {"title": mapped if bar_title is None else bar_title, **scalar_bar_args}
+    has_bar = show_scalar_bar and mapped is not None
+    if has_bar:
         _check_room_for(plotter, bar)
 
     actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **_with_color_map(arguments))
@@ -31,16 +34,51 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
     mapper.ShallowCopy(replaced)
     actor.SetMapper(mapper)
-    maps_scalars = mapper.GetScalarVisibility() and mapper.GetColorModeAsString() == "MapScalars"
     try:
+        if mapped is not None:
+            _set_what_bars_show(mapper, data, mapped, arguments)
         follow_importance(actor)
-        if show_scalar_bar and maps_scalars and bar_title is not None:
+        if has_bar and mapper.GetScalarVisibility():
             plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
     except Exception:
         plotter.remove_actor(actor, reset_camera=False, render=False)
         raise
     plotter.mapper = mapper
     return actor
+
+
+def _mapped_scalars(data, arguments):
+    """The name of the scalars that PyVista maps to colours, or None."""
+    name = arguments["scalars"]
+    if name is None:
+        if {"color", "texture"}.intersection(arguments):
+            return None
+        name = _active_scalars_name(data, arguments.get("preference"))
+    is_rgb = arguments.get("rgb", (name or "").endswith(("_rgb", "_rgba")))
+    return None if is_rgb else name
+
+
+def _active_scalars_name(data, preference):
+    if not isinstance(data, vtkCompositeDataSet):
+        return pyvista.wrap(data).active_scalars_name
+    names = {array.GetName() for array in find_scalars(data, None, preference)[1]}
+    return names.pop() if len(names) == 1 else None
+
+
+def _set_what_bars_show(mapper, data, scalars, arguments):
+    """Where PyVista leaves a mapper with colours, or with a range, that its scalar bar would not have."""
+    if mapper.GetColorMode() == VTK_COLOR_MODE_DEFAULT:  # of composite data: bytes would be greys
+        mapper.SetColorModeToMapScalars()
+    elif (mapper.GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS  # an opacity for each point or cell
+          and not isinstance(arguments.get("cmap"), pyvista.LookupTable)):
+        table = mapper.GetLookupTable()
+        arrays = find_scalars(data, scalars, arguments.get("preference"))[1]
+        mapper.SetScalarRange(arguments.get("clim") or finite_range(arrays, arguments.get("component", -1)))
+        table.SetRange(mapper.GetScalarRange())
+        # Neither was heeded when the colours of the points or cells were made.
+        table.SetScaleToLinear()
+        if arguments.get("flip_scalars"):
+            table.values[:] = table.values[::-1]
 
 
 def _with_color_map(arguments):

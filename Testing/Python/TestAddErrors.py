@@ -46,7 +46,15 @@ class TestArguments(ErrorTest):
             (TypeError, "unknown parameter 'r'; use clutter_weight", {"r": 3}),
             (TypeError, "unknown parameter 'lambda'; use emphasis", {"lambda": 3}),
             (TypeError, "unknown parameter 's'; use smoothing_iterations", {"s": 3}),
-            (TypeError, "unknown parameter 'm'; there are ", {"m": 3}))
+            (TypeError, "unknown parameter 'm'; there are ", {"m": 3}),
+            (TypeError, "unknown parameter 'render_lines_as_tubes'; leave it out: lines are tubes already, "
+             "with the radius of add_lines()", {"render_lines_as_tubes": True}),
+            (TypeError, "unknown parameter 'render_points_as_spheres'; leave it out: points are balls already",
+             {"render_points_as_spheres": True}),
+            (TypeError, "unknown parameter 'style'; lines are tubes and points balls; only add_surface() to a "
+             "PyVista plotter has it", {"style": "wireframe"}),
+            (TypeError, "unknown parameter 'use_transparency'; use opacity, which is 1 - transparency",
+             {"use_transparency": True}))
         self.assert_refused(
             pellucid.add_surface, vtkPolyData(), TypeError,
             "unknown parameter 'radius'; there are importance, ", radius=3)

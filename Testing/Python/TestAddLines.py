@@ -50,7 +50,7 @@ class TestData(ViewTest):
             mesh = self.with_array(mesh, name, [0, 0, 0])
         for named in (None, "Importance", "Radius", "Scalars"):
             arguments = {**arrays, "scalars": named} if named else arrays
-            actor = pellucid.add_lines(self.renderer, mesh, **arguments)
+            actor = pellucid.add_lines(self.renderer, mesh, importance_range=(4, 6), **arguments)
             mapper = actor.GetMapper()
             optimization = pellucid.vtkImportanceDrivenOpacity.Get(actor)
             mapper.Update()

@@ -5,6 +5,7 @@
 import gc
 import re
 import unittest
+import warnings
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -131,7 +132,7 @@ class TestOptimize(unittest.TestCase):
             pellucid.optimize(actor, importance="relevance").GetImportanceArray(), "relevance")
         for function in (pellucid.optimize, pellucid.avoid):
             self.assertEqual(function(self.actor).GetImportanceRange(), (0, 1))
-            for ends in ((8, -2.5), [0, 1e5], numpy.array((1, 2), numpy.float32)):
+            for ends in ((8, -2.5), [0, 1e5], numpy.array((0.5, 2), numpy.float32)):
                 found = function(self.actor, importance_range=ends).GetImportanceRange()
                 self.assertEqual(found, tuple(ends))
 
@@ -278,6 +279,58 @@ class TestAvoid(unittest.TestCase):
         self.assertEqual(pellucid.avoid(actor).GetMode(), found.PENALTY)
 
 
+class TestWarnings(unittest.TestCase):
+    ROWS = (
+        (r"importance is 0 everywhere in this actor, so that within it nothing fades in favour of anything else; "
+         r"expected values of 'speed' that differ within importance_range \(1, 1\), found them from 0 to 0.5; "
+         "choose other limits or another array", (0, 0.5, 0, 0.5), (1, 1)),
+        (r"importance is 1 everywhere in this actor, .* \(0, 0\), found them from 0 to 0.5", (0, 0.5, 0, 0.5), (0, 0)),
+        (r"importance is 0 everywhere in this actor, .* \(1, 1\), found them from 0 to 0", (0, 0, 0, 0), (1, 1)),
+        (r"importance is 1 everywhere in this actor, .* \(0, 1\), found them from 3 to 20", (3, 20, 5, 6), (0, 1)),
+        (r"importance is 0 everywhere in this actor, .* \(9, 8\), found them from 10 to inf", (10, numpy.inf, 12, 10), (9, 8)),
+        (r"importance is 0 everywhere in this actor, .* \(0, 1\), found NaN alone", (numpy.nan,) * 4, (0, 1)),
+    )
+
+    def test_even_importance_is_told_once(self):
+        for message, values, ends in self.ROWS:
+            data = with_array(make_lines("other"), "speed", values)
+            renderer = vtkRenderer()
+            for call in (
+                lambda: pellucid.optimize(make_actor(data), importance="speed", importance_range=ends),
+                lambda: pellucid.avoid(make_actor(data), importance="speed", importance_range=ends),
+                lambda: pellucid.add_lines(renderer, data, importance="speed", importance_range=ends),
+            ):
+                with warnings.catch_warnings(record=True) as found:
+                    warnings.simplefilter("always")
+                    call()
+                self.assertEqual(len(found), 1)
+                self.assertRegex(str(found[0].message), f"^{message}")
+                self.assertEqual(found[0].filename, __file__)
+
+    def test_warnings_as_errors_change_no_view(self):
+        renderer = vtkRenderer()
+        data = with_array(make_lines(), "speed", (1, 2, 3, 4))
+        with warnings.catch_warnings(), self.assertRaisesRegex(UserWarning, "importance is 1 everywhere"):
+            warnings.simplefilter("error")
+            pellucid.add_lines(renderer, data, importance="speed")
+        self.assertEqual(renderer.GetActors().GetNumberOfItems(), 0)
+
+    def test_no_warning(self):
+        """Where importance differs, an actor gives way as a whole, or there are no points yet."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, with_array(make_lines(), "speed", (3, 4, 5, 6)))
+        blocks.SetBlock(1, make_lines())
+        partly = with_array(make_lines(), "speed", (numpy.nan, 4, 5, 6))
+        step = with_array(make_lines(), "speed", (3, 4, 5, 6))
+        even = with_array(make_lines(), "speed", (1, 1, 1, 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for data, ends in ((blocks, (0, 1)), (partly, (0, 1)), (step, (4, 4)), (even, (0, 1)),
+                               (vtkPolyData(), (1, 1))):
+                for function in (pellucid.optimize, pellucid.avoid):
+                    function(make_actor(data), importance="speed", importance_range=ends)
+
+
 class TestErrors(unittest.TestCase):
     def test_unknown_parameters(self):
         actor = make_actor(make_lines())
@@ -340,7 +393,8 @@ class TestErrors(unittest.TestCase):
                     ValueError, "there is no point array 'x' of one component; there are Importance"):
                 function(actor, importance="x")
             with self.assertRaisesRegex(
-                    TypeError, "importance: expected the name of a point array, found an array of float64 of shape"):
+                    TypeError, r"importance: expected the name of a point array, found an array of float64 of "
+                    r"shape \(4,\); put the values into the data as one, or give them to add_lines\(\), "):
                 function(actor, importance=numpy.zeros(4))
         self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
 

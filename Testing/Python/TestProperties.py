@@ -57,6 +57,9 @@ class TestProperties(unittest.TestCase):
         transparency = pellucid.install(vtkRenderer())
         transparency.memory_limit = 64
         self.assertEqual(transparency.GetMemoryLimit(), 64)
+        transparency.memory_limit = -1
+        self.assertEqual(transparency.memory_limit, 1)
+        self.assertIn("at least 1; less counts as 1", " ".join(pellucid.install.__doc__.split()))
         self.assertIsInstance(transparency, pellucid.vtkExactTransparencyPass)
         self.assertEqual(transparency.statistics.longest_list, 0)
 

@@ -5,6 +5,7 @@
 import base64
 import io
 import unittest
+import warnings
 
 import numpy
 import pyvista
@@ -285,6 +286,13 @@ class TestAddLines(PlotterTest):
             opacities = pellucid.optimized_opacities(plotter.renderer, actor)
             self.assertLess(numpy.nanmin(opacities), 0.1)
 
+    def test_even_importance_is_told_once(self):
+        with warnings.catch_warnings(record=True) as found:
+            warnings.simplefilter("always")
+            pellucid.add_lines(self.plotter, crossing_lines(), importance="Height", importance_range=(3, 4))
+        told = [warning for warning in found if "importance is 0 everywhere" in str(warning.message)]
+        self.assertEqual([warning.filename for warning in told], [__file__])
+
     def test_arrays_take_names_that_nothing_has(self):
         lines = crossing_lines()
         lines["Importance"] = [0.0] * 3 + [1.0] * 3
@@ -361,6 +369,76 @@ class TestAddLines(PlotterTest):
                 add(plotter, crossing_lines(), scalars="Height", scalar_bar_args={"title": "bar"},
                     show_scalar_bar=show)
                 self.assertEqual(list(plotter.scalar_bars.keys()), ["bar"] * expected)
+
+    def test_scalar_bars_of_composite_data(self):
+        blocks = pyvista.MultiBlock([crossing_lines(), crossing_lines()])
+        blocks[1]["Height"] += 2
+        for arguments, expected in (
+            ({}, ["Height"]), ({"scalars": "Height"}, ["Height"]), ({"show_scalar_bar": True}, ["Height"]),
+            ({"scalars": "Height", "scalar_bar_args": {"title": "bar"}}, ["bar"]),
+            ({"show_scalar_bar": False}, []), ({"color": "red", "show_scalar_bar": True}, []),
+        ):
+            plotter = self.make_plotter()
+            actor = pellucid.add_lines(plotter, blocks, **arguments)
+            plotter.screenshot(return_img=True)
+            self.assertEqual(list(plotter.scalar_bars.keys()), expected, arguments)
+            for bar in plotter.scalar_bars.values():
+                self.assertIs(bar.GetLookupTable(), actor.GetMapper().GetLookupTable())
+                self.assertEqual(bar.GetLookupTable().GetRange(), (0, 3))
+        pellucid.add_surface(self.plotter, pyvista.MultiBlock([pyvista.Sphere()]), scalars="Normals")
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["Normals"])
+
+        blocks[1].point_data.active_scalars_name = None
+        plotter = self.make_plotter()
+        pellucid.add_lines(plotter, blocks)
+        self.assertFalse(plotter.scalar_bars)
+
+    def test_bytes_of_composite_data_have_the_colors_of_their_bar(self):
+        lines = crossing_lines()
+        lines["Height"] = numpy.array([40, 40, 40, 200, 200, 200], numpy.uint8)
+        pictures = []
+        for data in (lines, pyvista.MultiBlock([lines])):
+            plotter = self.make_plotter()
+            pellucid.add_lines(plotter, data, radius=0.2, scalars="Height", cmap=["red", "blue"])
+            plotter.camera_position = "xy"
+            pictures.append(plotter.screenshot(return_img=True))
+        numpy.testing.assert_array_equal(*pictures)
+
+    def test_scalar_bars_beside_an_opacity_for_each_point(self):
+        lines = crossing_lines()
+        lines["Height"] = [10.0] * 3 + [30.0] * 3
+        lines["Vectors"] = numpy.outer([0, 0, 0, 1, 1, 1], (3.0, 4.0, 0.0))
+        lines["fade"] = numpy.linspace(0.2, 1, 6)
+        for arguments, expected in (
+            ({"scalars": "Height"}, (10, 30)), ({"scalars": lines["Height"]}, (10, 30)),
+            ({"scalars": "Height", "clim": (0, 50)}, (0, 50)), ({"scalars": "Vectors"}, (0, 5)),
+            ({"scalars": "Vectors", "component": 1}, (0, 4)),
+        ):
+            for opacity in ("fade", lines["fade"]):
+                for show in (None, True, False):
+                    plotter = self.make_plotter()
+                    pellucid.add_lines(
+                        plotter, lines, opacity=opacity, show_scalar_bar=show, scalar_bar_args={"title": "bar"},
+                        **arguments)
+                    plotter.screenshot(return_img=True)
+                    found = [bar.GetLookupTable().GetRange() for bar in plotter.scalar_bars.values()]
+                    self.assertEqual(found, [] if show is False else [expected], arguments)
+        pellucid.add_lines(self.plotter, lines, color="red", opacity=lines["fade"], show_scalar_bar=True)
+        self.assertFalse(self.plotter.scalar_bars)
+
+    def test_bars_beside_opacities_have_the_colors_of_the_points(self):
+        lines = crossing_lines()
+        lines["Height"] = [1.0] * 3 + [10.0] * 3
+        actor = pellucid.add_lines(
+            self.plotter, lines, radius=0.2, scalars="Height", cmap=["red", "blue"], flip_scalars=True,
+            log_scale=True, opacity=numpy.ones(6), lighting=False, clim=(1, 10), show_scalar_bar=True)
+        self.plotter.camera_position = "xy"
+        found = self.plotter.screenshot(return_img=True)[80, 100] / 255
+        table = actor.GetMapper().GetLookupTable()
+        color = [0.0] * 3
+        table.GetColor(1.0, color)
+        numpy.testing.assert_allclose(found, color, atol=0.01)
+        self.assertFalse(table.UsingLogScale())
 
     def test_color_maps(self):
         colors = [(1, 0, 0), (0, 0, 1)]
