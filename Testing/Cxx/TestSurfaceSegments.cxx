@@ -472,8 +472,7 @@ void TestThreads(Checks& checks)
   std::set<std::thread::id> reporting;
   vtkNew<vtkCallbackCommand> report;
   report->SetClientData(&reporting);
-  report->SetCallback(
-    [](vtkObject*, unsigned long, void* ids, void*)
+  report->SetCallback([](vtkObject*, unsigned long, void* ids, void*)
     { static_cast<std::set<std::thread::id>*>(ids)->insert(std::this_thread::get_id()); });
   std::vector<Segments> results;
   for (const int threads : { 1, 2, 3 })
