@@ -194,10 +194,11 @@ vtkIdType GetMostSliverPixels(const SceneDescription& scene)
   return hasSlivers ? 1 + scene.Width * scene.Height / 2000 : 0;
 }
 
-/** How many pixels may be nearer to an edge than OpenGL can tell. */
-vtkIdType GetMostSilhouettePixels(const SceneDescription& scene)
+/** How many pixels may be nearer to an edge than OpenGL can tell: the more layers, the more edges.
+ */
+vtkIdType GetMostSilhouettePixels(vtkIdType pixels, vtkIdType fragments)
 {
-  return std::max<vtkIdType>(3, scene.Width * scene.Height / 200);
+  return std::max<vtkIdType>(3, std::max(pixels, fragments) / 200);
 }
 
 /** How many pixels may be unlike the reference at their centre and like it nearby. Smoothed
@@ -273,7 +274,8 @@ void SceneChecker::CompareWithReference(
   {
     complain(independent, "differ from the reference without explanation");
   }
-  if (comparison.GetSilhouettePixels() > GetMostSilhouettePixels(scene))
+  if (comparison.GetSilhouettePixels() >
+    GetMostSilhouettePixels(pixels, comparison.GetNumberOfFragments()))
   {
     complain(comparison.GetSilhouettePixels(), "show the other side of an edge, which is too many");
   }
