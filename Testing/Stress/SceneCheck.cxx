@@ -194,11 +194,11 @@ vtkIdType GetMostSliverPixels(const SceneDescription& scene)
   return hasSlivers ? 1 + scene.Width * scene.Height / 2000 : 0;
 }
 
-/** How many pixels may be nearer to an edge than OpenGL can tell: the more layers, the more edges.
- */
+/** How many pixels may be nearer to an edge than OpenGL can tell: the more layers, the more edges;
+ * and where props and pixels are symmetric, a few in any case. */
 vtkIdType GetMostSilhouettePixels(vtkIdType pixels, vtkIdType fragments)
 {
-  return std::max<vtkIdType>(3, std::max(pixels, fragments) / 200);
+  return std::max<vtkIdType>(8, std::max(pixels, fragments) / 200);
 }
 
 /** How many pixels may be unlike the reference at their centre and like it nearby. Smoothed
