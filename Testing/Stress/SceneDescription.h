@@ -27,6 +27,7 @@ struct PropDescription
   int Seed = 0;
   int Cells = 1; ///< lines, balls, sheets or glyphs
   int PointsPerCell = 2;
+  bool Turned = true;  ///< of spheres: out of the axes
   double Radius = 0.1; ///< 0: the automatic one
   bool RadiusArray = false;
   double Opacity = 0.5;
@@ -70,8 +71,8 @@ struct SceneDescription
 };
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PropDescription, Kind, Shape, Mapper, Seed, Cells, PointsPerCell,
-  Radius, RadiusArray, Opacity, OpacityArray, Colors, Lighting, ClippingPlane, MissingPoints,
-  Importance, Range, Method, Segments, OcclusionWeight, ClutterWeight, Emphasis,
+  Turned, Radius, RadiusArray, Opacity, OpacityArray, Colors, Lighting, ClippingPlane,
+  MissingPoints, Importance, Range, Method, Segments, OcclusionWeight, ClutterWeight, Emphasis,
   SmoothingIterations, SelfOcclusion, SmoothAttributes, Penalty)
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneDescription, Width, Height, Samples, MemoryLimit,
