@@ -32,7 +32,7 @@
  * A rasteriser places vertices on a grid of 1/256 pixel and interpolates in single precision, so a
  * pixel whose centre lies that close to an edge may show either side of it, shaded with a normal
  * that is extrapolated beyond the edge. Such a pixel is explained when a ray displaced by 1/64
- * pixel in some direction leaves at most half of the difference, and at most 32 of 255: so no pixel
+ * pixel in some direction leaves at most half of the difference, and at most 16 of 255: so no pixel
  * near which the reference does not change is explained. It is counted as a silhouette pixel and
  * not measured. So is one where two fragments are closer in depth than single precision tells, if
  * their exchange would show.
@@ -185,7 +185,7 @@ private:
     ColorRange Range; // over the displacements
   };
 
-  static constexpr double SilhouetteTolerance = 32.0;
+  static constexpr double SilhouetteTolerance = 16.0;
   static constexpr double DepthResolution = 4.0 * std::numeric_limits<float>::epsilon();
 
   /// Render what the pass of the renderer shows, if it has one.

@@ -184,13 +184,13 @@ bool HasReference(const SceneDescription& scene)
 
 /**
  * How many pixels may show a part that is narrower than the grid of 1/256 pixel to which OpenGL
- * moves corners, so that no displaced ray meets it: the tip of a cone, a sheet that is seen from
- * its edge.
+ * moves corners, so that no displaced ray meets it, or none that has the normal beyond its edge:
+ * the tip of a cone, a sheet or the facet of a sphere that is seen from its edge.
  */
 vtkIdType GetMostSliverPixels(const SceneDescription& scene)
 {
   const bool hasSlivers = std::any_of(scene.Props.begin(), scene.Props.end(),
-    [](const PropDescription& prop) { return prop.Kind == "sheets" || prop.Kind == "glyphs"; });
+    [](const PropDescription& prop) { return prop.Kind != "lines" && prop.Kind != "balls"; });
   return hasSlivers ? 1 + scene.Width * scene.Height / 2000 : 0;
 }
 
