@@ -46,13 +46,14 @@ def add_lines(view, lines, *, radius=0.0, importance=None, importance_range=None
         cmap: colours in [0, 1], n x 3 or n x 4; or, for a plotter, a name, a list of names of colours or
             pyvista.LookupTable; or, for a renderer, vtkScalarsToColors, which gets the range of clim and
             keeps its mode for vectors and its colour of NaN
-        opacity: number in [0, 1]; for a plotter all that PyVista takes
+        opacity: number in [0, 1]; for a plotter, of data that are not composite, all that PyVista takes
         nan_color, lighting, pickable; ambient, diffuse, specular in [0, 1]; specular_power in [0, 128]
 
         and for a plotter also above_color, annotations, below_color, categories, component,
         flip_scalars, interpolate_before_map, label, log_scale, n_colors, name, nan_opacity,
         preference, render, reset_camera, rgb, scalar_bar_args, show_scalar_bar and user_matrix. Scalars that
-        are mapped to colours have a bar of their range, of composite data and with any opacity too.
+        are mapped to colours have a bar of their range, of composite data and with any opacity too. Composite
+        data have no annotations, categories, component and user_matrix.
 
     Values are one for each point, for lines from arrays also m x n of them or a list for each line; or
     one for each cell, that is for each line (a radius or importance of a point is then the mean of the

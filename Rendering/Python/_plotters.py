@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Add to plotters of PyVista; imported only for who has one."""
 
+import numbers
+
 import pyvista
 from matplotlib.colors import ListedColormap
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
@@ -12,6 +14,8 @@ from ._arguments import brief
 
 # Of vtkMapper; the Python wrappers of VTK 9.2 do not name them.
 VTK_COLOR_MODE_DEFAULT, VTK_COLOR_MODE_DIRECT_SCALARS = 0, 2
+# PyVista's add_mesh takes these for composite data, and ignores them.
+FOR_SINGLE_DATA = ("annotations", "categories", "component", "user_matrix")
 
 
 def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, arguments):
@@ -23,13 +27,15 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
     scalar_bar_args = arguments.pop("scalar_bar_args", {})
     show_scalar_bar = arguments.pop("show_scalar_bar", plotter.theme.show_scalar_bar or bool(scalar_bar_args))
     _check_scalar_bar(scalar_bar_args)
+    if isinstance(data, vtkCompositeDataSet):
+        _check_composite(arguments)
     mapped = _mapped_scalars(data, arguments)
     bar = {"title": mapped if bar_title is None else bar_title, **scalar_bar_args}
     has_bar = show_scalar_bar and mapped is not None
     if has_bar:
         _check_room_for(plotter, bar)
 
-    actor = plotter.add_mesh(data, show_scalar_bar=False, render=False, **_with_color_map(arguments))
+    actor = _add_mesh(plotter, data, _with_color_map(arguments))
     replaced = actor.GetMapper()
     mapper.SetInputConnection(replaced.GetInputConnection(0, 0))
     mapper.ShallowCopy(replaced)
@@ -45,6 +51,26 @@ def add_to_plotter(plotter, data, mapper, bar_title, follow_importance, argument
         raise
     plotter.mapper = mapper
     return actor
+
+
+def _add_mesh(plotter, data, arguments):
+    """Where PyVista refuses an argument only once the actor is there, without that actor."""
+    names = set(plotter.actors)
+    try:
+        return plotter.add_mesh(data, show_scalar_bar=False, render=False, **arguments)
+    except Exception:
+        for name in set(plotter.actors) - names:
+            plotter.remove_actor(name, reset_camera=False, render=False)
+        raise
+
+
+def _check_composite(arguments):
+    ignored = [name for name in FOR_SINGLE_DATA if name in arguments]
+    if ignored:
+        raise TypeError(f"{', '.join(ignored)}: PyVista has this for single data sets alone; add the blocks one by one")
+    if not isinstance(arguments.get("opacity", 1.0), numbers.Real):
+        raise TypeError("opacity: expected a number for composite data, found "
+                        f"{brief(arguments['opacity'])}; add the blocks one by one")
 
 
 def _mapped_scalars(data, arguments):

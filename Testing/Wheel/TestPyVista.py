@@ -393,6 +393,21 @@ class TestAddLines(PlotterTest):
         pellucid.add_lines(plotter, blocks)
         self.assertFalse(plotter.scalar_bars)
 
+    def test_composite_data_refuse_what_pyvista_ignores(self):
+        blocks = pyvista.MultiBlock([crossing_lines()])
+        for arguments, message in (
+            ({"opacity": "linear"}, "opacity: expected a number for composite data, found 'linear'"),
+            ({"opacity": numpy.ones(6)}, "opacity: expected a number for composite data, found "),
+            ({"component": 1}, "^component: PyVista has this for single data sets alone"),
+            ({"annotations": {1.0: "one"}, "user_matrix": numpy.eye(4)}, "^annotations, user_matrix: "),
+        ):
+            with self.assertRaisesRegex(TypeError, message):
+                pellucid.add_lines(self.plotter, blocks, **arguments)
+        # What PyVista itself refuses late.
+        with self.assertRaises(ValueError):
+            pellucid.add_lines(self.plotter, blocks, cmap="nope")
+        self.assertEqual(list(self.plotter.actors), [])
+
     def test_bytes_of_composite_data_have_the_colors_of_their_bar(self):
         lines = crossing_lines()
         lines["Height"] = numpy.array([40, 40, 40, 200, 200, 200], numpy.uint8)
