@@ -405,7 +405,7 @@ void vtkExactTransparencyPass::BeginSweeps(
   Internals& internal = *this->Internal;
   Internals::Resources& gpu = *internal.GPU;
   const vtkMTimeType shaderTime = gpu.Gather.GetShaderTime();
-  gpu.Gather.SetFormat(gpu.Opaque.GetSamples(), internal.StoresImportance);
+  gpu.Gather.SetFormat(gpu.Opaque, internal.StoresImportance);
   gpu.Stages.SetStoresImportance(internal.StoresImportance);
   // Opacities that are yet to be found may show them, and some views do.
   const bool keepsHidden = internal.StoresImportance || this->View != VIEW_PICTURE;

@@ -4,7 +4,8 @@
  * @file    vtkBlockDisplayShader.h
  * @brief   Lets the shaders of a vtkOpenGLPolyDataMapper draw blocks as they are displayed.
  *
- * What is displayed lies in uniforms: when it changes, neither buffers nor shaders are made again.
+ * What is displayed lies in uniforms: when it changes, no buffers are made again, and shaders only
+ * where vtkAddBlockColor() is left out as long as no block has a colour.
  */
 
 #ifndef vtkBlockDisplayShader_h

@@ -54,11 +54,12 @@ void vtkFragmentGather::ForgetProps()
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentGather::SetFormat(int samples, bool storesImportance)
+void vtkFragmentGather::SetFormat(const vtkOpaqueLayer& opaque, bool storesImportance)
 {
-  if (this->Samples != samples || this->StoresImportance != storesImportance)
+  const std::string opaqueDefinitions = opaque.GetShaderDefinitions();
+  if (this->OpaqueDefinitions != opaqueDefinitions || this->StoresImportance != storesImportance)
   {
-    this->Samples = samples;
+    this->OpaqueDefinitions = opaqueDefinitions;
     this->StoresImportance = storesImportance;
     this->ShaderTime.Modified();
   }
@@ -122,8 +123,8 @@ void vtkFragmentGather::EditFragmentShader(const std::string& vertexShader,
   // Impostors have shaders without a place for it: their fragments are unimportant.
   const bool needsImportance = this->NeedsImportance(mapper) && PassesImportance(vertexShader) &&
     (geometryShader.empty() || PassesImportance(geometryShader));
-  const std::string declarations =
-    vtkFragmentLists::GetShaderDefinitions(this->Samples, this->StoresImportance) +
+  const std::string declarations = this->OpaqueDefinitions +
+    vtkFragmentLists::GetShaderDefinitions(this->StoresImportance) +
     vtkSegmentOpacities::GetShaderDefinitions() + vtkFragmentListsDec + vtkFragmentColorDec +
     vtkOpaqueDepthDec +
     (this->StoresImportance ? std::string(vtkFragmentImportanceDec) + vtkTangentDec : "") +

@@ -36,8 +36,9 @@ public:
   /** The props of a frame, as its render state has them. */
   static std::vector<vtkProp*> GetProps(const vtkRenderState* state);
 
-  /** What a fragment is stored for. Mappers make their shaders anew where it changes. */
-  void SetFormat(int samples, bool storesImportance);
+  /** What a fragment is compared with and stored for. Mappers make their shaders anew where it
+   * changes. */
+  void SetFormat(const vtkOpaqueLayer& opaque, bool storesImportance);
 
   /** Draw all props; the lists and the framebuffer are bound. `scene` has the importances. */
   void DrawProps(const vtkRenderState* state, const vtkPixelRectangle& tile,
@@ -65,7 +66,7 @@ private:
    * may share the mapper. */
   bool NeedsImportance(vtkAbstractMapper* mapper) const;
 
-  int Samples = 0;
+  std::string OpaqueDefinitions;
   bool StoresImportance = false;
   vtkTimeStamp ShaderTime;
   std::set<vtkProp*> RenderedProps;

@@ -76,7 +76,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImportance)
+std::string vtkFragmentLists::GetShaderDefinitions(bool storesImportance)
 {
   vtkShaderDefinitions definitions;
   definitions.Define("HEADS_BINDING", static_cast<int>(Heads));
@@ -86,7 +86,6 @@ std::string vtkFragmentLists::GetShaderDefinitions(int samples, bool storesImpor
   definitions.Define("IMPORTANCES_BINDING", static_cast<int>(Importances));
   definitions.Define("POSITIONS_BINDING", static_cast<int>(Positions));
   definitions.Define("OPTIMIZE", storesImportance ? 1 : 0);
-  definitions.Define("SAMPLES", samples);
   definitions.Define("MAXIMUM_SHADER_LIST", MaximumShaderList);
   // The sort takes one node more before it leaves a list to the CPU.
   definitions.Define("LONGEST_SORTED_LIST", MaximumShaderList + 1);

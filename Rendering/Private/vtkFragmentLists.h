@@ -119,11 +119,9 @@ public:
   vtkFragmentLists(const vtkFragmentLists&) = delete;
   void operator=(const vtkFragmentLists&) = delete;
 
-  /**
-   * `#define`s for the shaders. `samples` is the number of samples of the target, at least 1; with
-   * `storesImportance` the nodes hold importances and positions too.
-   */
-  static std::string GetShaderDefinitions(int samples, bool storesImportance);
+  /** `#define`s for the shaders. With `storesImportance` the nodes hold importances and positions
+   * too. */
+  static std::string GetShaderDefinitions(bool storesImportance);
 
   /** Most nodes that one buffer of this context can hold, whatever the memory limit. */
   static vtkIdType GetLargestNodeCapacity();

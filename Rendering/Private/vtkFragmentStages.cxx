@@ -74,8 +74,8 @@ void vtkFragmentStages::Draw(vtkOpenGLRenderWindow* window, const vtkOpaqueLayer
 {
   vtkShaderDefinitions blockDefinitions;
   blockDefinitions.Define("DRAWN_BLOCKS", blocks);
-  const std::string definitions =
-    vtkFragmentLists::GetShaderDefinitions(opaque.GetSamples(), this->StoresImportance) +
+  const std::string definitions = opaque.GetShaderDefinitions() +
+    vtkFragmentLists::GetShaderDefinitions(this->StoresImportance) +
     vtkSegmentOpacities::GetShaderDefinitions() + moreDefinitions;
   const auto whereStored = [this](const char* code) { return this->StoresImportance ? code : ""; };
   std::string source = fragmentShader;

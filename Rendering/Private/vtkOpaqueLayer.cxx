@@ -4,11 +4,12 @@
 #include "vtkOpaqueLayer.h"
 
 #include "vtkOpenGLState.h"
+#include "vtkShaderDefinitions.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -190,17 +191,23 @@ void vtkOpaqueLayer::Deactivate(vtkOpenGLState* state)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOpaqueLayer::GetShaderDefinitions() const
+{
+  vtkShaderDefinitions definitions;
+  definitions.Define("SAMPLES", this->Layout.Samples);
+  const int steps = 1 << std::min(this->Layout.DepthBits, 24);
+  definitions.Define("DEPTH_RESOLUTION",
+    this->Layout.DepthIsFloat ? "0.0" : "(1.0 / " + std::to_string(steps) + ".0)");
+  return definitions.GetText();
+}
+
+//------------------------------------------------------------------------------
 void vtkOpaqueLayer::SetUniforms(vtkShaderProgram* program) const
 {
-  const float resolution = static_cast<float>(
-    this->Layout.DepthIsFloat ? 0.0 : std::exp2(-std::min(this->Layout.DepthBits, 24)));
   program->SetUniformi("pellucidOpaqueColor", this->Units[ColorTexture]);
   program->SetUniformi("pellucidOpaqueDepth", this->Units[DepthTexture]);
   program->SetUniform2i("pellucidOpaqueOrigin", this->Origin.data());
-  const std::array<int, 2> size{ this->Layout.Width, this->Layout.Height };
-  program->SetUniform2i("pellucidOpaqueSize", size.data());
   program->SetUniformi("pellucidOpaqueScale", this->Scale);
-  program->SetUniformf("pellucidDepthResolution", resolution);
 }
 
 //------------------------------------------------------------------------------

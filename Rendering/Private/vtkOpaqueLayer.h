@@ -15,6 +15,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -43,6 +44,9 @@ public:
   /** Bind the textures to texture units of their own, until Deactivate. */
   void Activate(vtkOpenGLState* state);
   void Deactivate(vtkOpenGLState* state);
+
+  /** `#define`s for the shaders: the number of samples, and one step of the depth. */
+  std::string GetShaderDefinitions() const;
 
   /** Set those uniforms of glsl/vtkOpaqueDepthDec.glsl that the program uses. */
   void SetUniforms(vtkShaderProgram* program) const;

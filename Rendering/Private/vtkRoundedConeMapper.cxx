@@ -299,7 +299,7 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
 
   this->UpdateMatrices(renderer, actor);
-  this->UpdateCutOpen();
+  this->UpdateShaderVariant(actor);
   this->UpdateShapes(renderer, actor);
 }
 
@@ -340,7 +340,7 @@ void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor
 }
 
 //------------------------------------------------------------------------------
-void vtkRoundedConeMapper::UpdateCutOpen()
+bool vtkRoundedConeMapper::IsCutOpen()
 {
   vtkBoundingBox corners;
   for (int corner = 0; corner < 4; ++corner)
@@ -358,10 +358,21 @@ void vtkRoundedConeMapper::UpdateCutOpen()
   }
   trajectories.Inflate(this->Nodes->GetMaximumRadius());
 
-  const bool cutOpen = this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
-  if (cutOpen != this->CutOpen)
+  return this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
+}
+
+//------------------------------------------------------------------------------
+void vtkRoundedConeMapper::UpdateShaderVariant(vtkActor* actor)
+{
+  const auto& leaves = this->Nodes->GetLeaves();
+  ShaderVariant variant;
+  variant.CutOpen = this->IsCutOpen();
+  variant.Shiny = actor->GetProperty()->GetSpecular() != 0.0;
+  variant.HasBlockColors = std::any_of(
+    leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.Display.Color.has_value(); });
+  if (!(variant == this->Variant))
   {
-    this->CutOpen = cutOpen;
+    this->Variant = variant;
     this->ShaderVariantTime.Modified();
   }
 }
@@ -506,7 +517,7 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     fragment.Replace("//VTK::PositionVC::Impl", "");
     fragment.Replace("//VTK::Normal::Dec", vtkRoundedConeDecFS);
     fragment.Replace("//VTK::Depth::Impl", vtkRoundedConeImplFS);
-    if (this->CutOpen)
+    if (this->Variant.CutOpen)
     {
       vertex.Replace("//VTK::Exit::Dec", "flat out int segmentNode;\n");
       vertex.Replace("//VTK::Exit::Impl", "segmentNode = node;\n");
@@ -531,7 +542,10 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     {
       this->ReplaceShaderOpacity(vertex, fragment);
     }
-    vtkAddBlockColor(fragment);
+    if (this->Variant.HasBlockColors)
+    {
+      vtkAddBlockColor(fragment);
+    }
     if (this->Source != ColorSource::Property)
     {
       this->ReplaceShaderNodeColor(vertex, fragment);
@@ -545,6 +559,11 @@ void vtkRoundedConeMapper::ReplaceShaderValues(
     }
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  if (!this->Variant.Shiny)
+  {
+    vtkShaderEdit(shaders[vtkShader::Fragment])
+      .Replace("uniform float specularIntensity;", "const float specularIntensity = 0.0;");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -633,7 +652,7 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   {
     program->SetUniformi("nodeColorMap", this->ColorMap->GetTextureUnit());
   }
-  if (this->CutOpen)
+  if (this->Variant.CutOpen)
   {
     this->SetClipParameters(program);
   }

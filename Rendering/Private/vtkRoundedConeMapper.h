@@ -112,7 +112,8 @@ private:
   void ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
-  void UpdateCutOpen();
+  bool IsCutOpen();
+  void UpdateShaderVariant(vtkActor* actor);
   void UpdateShapes(vtkRenderer* renderer, vtkActor* actor);
   std::array<vtkNodeGroups::Plane, 6> GetFrustum() const;
   void DrawShape(vtkNodeGroups::Shape shape, vtkRenderer* renderer, vtkActor* actor);
@@ -150,8 +151,21 @@ private:
   bool Parallel = false;
   float NearPlane = 0.0f; ///< its distance
 
-  bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
-  vtkTimeStamp ShaderVariantTime;
+  /** What shaders leave out where it has no effect. */
+  struct ShaderVariant
+  {
+    bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
+    bool Shiny = false;   ///< there are specular reflections
+    bool HasBlockColors = false;
+
+    bool operator==(const ShaderVariant& other) const
+    {
+      return this->CutOpen == other.CutOpen && this->Shiny == other.Shiny &&
+        this->HasBlockColors == other.HasBlockColors;
+    }
+  };
+  ShaderVariant Variant;
+  vtkTimeStamp ShaderVariantTime; ///< of the variant, and of all else that shaders depend on
 };
 
 VTK_ABI_NAMESPACE_END

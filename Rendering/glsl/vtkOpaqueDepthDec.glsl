@@ -2,41 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Depth of the opaque scene; the C++ side is vtkOpaqueLayer.
-// PELLUCID_SAMPLES is the number of samples of the target, 1 without multisampling.
+// PELLUCID_SAMPLES is the number of samples of the target, 1 without multisampling,
+// PELLUCID_DEPTH_RESOLUTION one step of its depth.
 //
 // Reads: the copied depth. Declares: the farthest depth at which a fragment is still in front, and
 // whether the fragment is hidden.
 
+// As few uniforms as can be: Mesa's software renderer loads each anew for every four by two pixels.
 #if PELLUCID_SAMPLES > 1
 uniform sampler2DMS pellucidOpaqueDepth;
 #else
 uniform sampler2D pellucidOpaqueDepth;
 #endif
-uniform ivec2 pellucidOpaqueOrigin;    // window pixel of texel 0, 0
-uniform ivec2 pellucidOpaqueSize;      // texels
-uniform int pellucidOpaqueScale;       // texels for each window pixel, to either side
-uniform float pellucidDepthResolution; // one step of the depth buffer
+uniform ivec2 pellucidOpaqueOrigin; // window pixel of texel 0, 0
+uniform int pellucidOpaqueScale;    // texels for each window pixel, to either side
 
 float pellucidOpaqueLimit(ivec2 windowPixel, int sampleIndex)
 {
   ivec2 texel = (windowPixel - pellucidOpaqueOrigin) * pellucidOpaqueScale + pellucidOpaqueScale / 2;
-  return texelFetch(pellucidOpaqueDepth, min(texel, pellucidOpaqueSize - 1),
 #if PELLUCID_SAMPLES > 1
-    sampleIndex
+  ivec2 size = textureSize(pellucidOpaqueDepth);
+  float depth = texelFetch(pellucidOpaqueDepth, min(texel, size - 1), sampleIndex).r;
 #else
-    0
+  ivec2 size = textureSize(pellucidOpaqueDepth, 0);
+  float depth = texelFetch(pellucidOpaqueDepth, min(texel, size - 1), 0).r;
 #endif
-    ).r + pellucidDepthResolution;
+  return depth + PELLUCID_DEPTH_RESOLUTION;
 }
 
 // A fragment behind this is hidden in every sample of the pixel
 float pellucidFarthestOpaqueLimit(ivec2 windowPixel)
 {
   float limit = pellucidOpaqueLimit(windowPixel, 0);
+#if PELLUCID_SAMPLES > 1 // a loop that has no rounds costs one, too
   for (int sampleIndex = 1; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
   {
     limit = max(limit, pellucidOpaqueLimit(windowPixel, sampleIndex));
   }
+#endif
   return limit;
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A mapper that several actors share, that is deleted while another window is current, that is
-// given a radius array of vectors, or blocks that move within their tree.
+// given a radius array of vectors, or blocks that move within their tree, or whose actor or block
+// gets another look.
 #include "Picture.h"
 #include "SphereScene.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
@@ -139,6 +141,69 @@ bool TestMovedBlock()
   passed &= Check(SelectBlock(scene) == 5, "the fifth block is not number 5");
   return passed;
 }
+
+// Shaders leave out what has no effect; a later change brings it back.
+bool TestEffectsThatComeLater()
+{
+  const auto render = [](bool shinyFirst, bool shiny, bool blockFirst, bool block)
+  {
+    SphereScene scene(100, 80, 0, 0, 0);
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, MakeLine());
+    vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+    vtkNew<vtkTrajectoryMapper> mapper;
+    mapper->SetInputDataObject(blocks);
+    mapper->SetRadius(0.2);
+    mapper->SetCompositeDataDisplayAttributes(attributes);
+    vtkActor* actor = AddActor(scene, mapper, 0.0, 1.0);
+    actor->GetProperty()->LightingOn();
+    actor->GetProperty()->SetOpacity(0.5);
+    const auto display = [&](bool isShiny, bool isBlue)
+    {
+      actor->GetProperty()->SetSpecular(isShiny ? 0.8 : 0.0);
+      attributes->RemoveBlockColors();
+      if (isBlue)
+      {
+        const double blue[] = { 0.0, 0.0, 1.0 };
+        attributes->SetBlockColor(blocks->GetBlock(0), blue);
+      }
+      mapper->Modified();
+      return Picture::Render(scene.Window);
+    };
+    display(shinyFirst, blockFirst);
+    return display(shiny, block);
+  };
+  const Picture plain = render(false, false, false, false);
+  const Picture shiny = render(true, true, false, false);
+  const Picture blue = render(false, false, true, true);
+  bool passed = Check(!(shiny == plain) && !(blue == plain), "an effect cannot be seen");
+  passed &= Check(render(false, true, false, false) == shiny, "specular light did not come");
+  passed &= Check(render(true, false, false, false) == plain, "specular light did not go");
+  passed &= Check(render(false, false, false, true) == blue, "a block's colour did not come");
+  passed &= Check(render(false, false, true, false) == plain, "a block's colour did not go");
+  return passed;
+}
+
+// Two actors of one mapper, one of them shiny, look as with mappers of their own.
+bool TestShinyActorOfSharedMapper()
+{
+  const auto render = [](bool shared)
+  {
+    SphereScene scene(100, 80, 0, 0, 0);
+    vtkNew<vtkTrajectoryMapper> mappers[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      mappers[i]->SetInputDataObject(MakeLine());
+      mappers[i]->SetRadius(0.2);
+      vtkProperty* property = AddActor(scene, mappers[shared ? 0 : i], i - 0.5, 1.0)->GetProperty();
+      property->LightingOn();
+      property->SetSpecular(i == 0 ? 0.8 : 0.0);
+    }
+    Picture::Render(scene.Window);
+    return Picture::Render(scene.Window);
+  };
+  return Check(render(true) == render(false), "a shared mapper mixes up specular light");
+}
 }
 
 int TestTrajectoryMapperChanges(int, char*[])
@@ -147,5 +212,7 @@ int TestTrajectoryMapperChanges(int, char*[])
   passed &= TestDeletedInAnotherWindow();
   passed &= TestVectorsAsRadii();
   passed &= TestMovedBlock();
+  passed &= TestEffectsThatComeLater();
+  passed &= TestShinyActorOfSharedMapper();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -127,11 +127,10 @@ std::string vtkCandidatePass::GetDefinitions()
 {
   vtkShaderDefinitions definitions;
   definitions.Define("COUNTERS_BINDING", static_cast<int>(CountersBinding));
-  definitions.Define("SAMPLES", 1);
   definitions.Define("NEGLIGIBLE_TRANSMITTANCE", this->NegligibleTransmittance);
   definitions.Define("VISIBLE_TRANSMITTANCE", ExactTransmittance);
   this->Define(definitions);
-  return definitions.GetText();
+  return this->Opaque.GetShaderDefinitions() + definitions.GetText();
 }
 
 //------------------------------------------------------------------------------
