@@ -20,6 +20,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -28,8 +29,9 @@ vtkStandardNewMacro(vtkReferenceRenderer);
 
 namespace
 {
-// Of a component: half a step of 8 bits.
-constexpr double VisibleChange = 0.5 / 255.0;
+// Of window depth: eight steps of single precision below 1, in which OpenGL has positions and
+// depths.
+constexpr double DepthResolution = 4.0 * std::numeric_limits<float>::epsilon();
 
 using Vec3 = pellucid::Vector3<double>;
 using Vec4 = pellucid::Vector4<double>;
@@ -87,7 +89,7 @@ struct vtkReferenceRenderer::vtkInternals
   std::unique_ptr<pellucid::RayCaster<double>> Caster;
   vtkNew<vtkImageData> Image;
   vtkNew<vtkImageData> FragmentCounts;
-  vtkNew<vtkImageData> OrderMargins;
+  vtkNew<vtkImageData> OrderChanges;
   vtkIdType NumberOfFragments = 0;
   vtkIdType LongestList = 0;
 
@@ -97,7 +99,7 @@ struct vtkReferenceRenderer::vtkInternals
     this->Source.reset();
     this->Image->Initialize();
     this->FragmentCounts->Initialize();
-    this->OrderMargins->Initialize();
+    this->OrderChanges->Initialize();
     this->NumberOfFragments = 0;
     this->LongestList = 0;
   }
@@ -182,9 +184,9 @@ void vtkReferenceRenderer::Update()
   internals.Image->AllocateScalars(VTK_DOUBLE, 4);
   internals.FragmentCounts->SetDimensions(width, height, 1);
   internals.FragmentCounts->AllocateScalars(VTK_INT, 1);
-  internals.OrderMargins->SetDimensions(width, height, 1);
-  internals.OrderMargins->AllocateScalars(VTK_DOUBLE, 1);
-  auto* margins = static_cast<double*>(internals.OrderMargins->GetScalarPointer());
+  internals.OrderChanges->SetDimensions(width, height, 1);
+  internals.OrderChanges->AllocateScalars(VTK_DOUBLE, 3);
+  auto* changes = static_cast<double*>(internals.OrderChanges->GetScalarPointer());
   auto* image = static_cast<double*>(internals.Image->GetScalarPointer());
   auto* counts = static_cast<int*>(internals.FragmentCounts->GetScalarPointer());
 
@@ -195,7 +197,7 @@ void vtkReferenceRenderer::Update()
       counts[index] = static_cast<int>(pixel.GetTranslucent().size());
       pixel.Fade(opacities, smoothAttributes.empty() ? Attributes() : smoothAttributes[index]);
       ApplyView(this->View, this->Layer, pixel);
-      margins[index] = pixel.GetOrderMargin(VisibleChange);
+      std::copy_n(glm::value_ptr(pixel.GetOrderChange(DepthResolution)), 3, changes + 3 * index);
       const Vec4 color =
         pixel.Composite(Background(this->Renderer, y, height, this->TransparentBackground));
       std::copy_n(glm::value_ptr(color), 4, image + 4 * index);
@@ -225,9 +227,9 @@ vtkImageData* vtkReferenceRenderer::GetFragmentCounts()
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkReferenceRenderer::GetOrderMargins()
+vtkImageData* vtkReferenceRenderer::GetOrderChanges()
 {
-  return this->Internals->OrderMargins;
+  return this->Internals->OrderChanges;
 }
 
 //------------------------------------------------------------------------------

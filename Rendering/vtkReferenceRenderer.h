@@ -122,12 +122,12 @@ public:
   vtkImageData* GetFragmentCounts();
 
   /**
-   * How far the order of the translucent fragments of each pixel is from another one that shows:
-   * the least difference, in window depth, of two neighbours whose exchange would change the pixel
-   * by more than half a step of 8 bits; infinite without such. One VTK_DOUBLE for each pixel,
-   * bottom row first. Single precision does not resolve differences below some 1e-7.
+   * How much each pixel depends on an order of translucent fragments that single precision does not
+   * resolve: the most that the colour changes, in [0,1], where fragments whose window depths differ
+   * by less than 4.8e-7, eight of its steps, change places. 0 without such. RGB as VTK_DOUBLE for
+   * each pixel, bottom row first.
    */
-  vtkImageData* GetOrderMargins();
+  vtkImageData* GetOrderChanges();
 
   /** The sum of the fragment counts. */
   vtkIdType GetNumberOfFragments();

@@ -14,7 +14,6 @@
 #include "SegmentOpacity.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -73,8 +72,9 @@ public:
 
   /**
    * Add a surface; what is fully transparent leaves no trace, as VTK's shaders discard it. That is
-   * also what rounding leaves of 0, such as on the edge between two corners without opacity: even
-   * so little would lend its importance to the pixel.
+   * also what rounding leaves of 0 on the edge between two corners without opacity: even so little
+   * would lend its importance to the pixel. (OpenGL shows either side of such an edge, and may have
+   * such a leftover, too.)
    */
   void Add(const Fragment<Real>& fragment, bool opaque)
   {
@@ -195,26 +195,29 @@ public:
   }
 
   /**
-   * The least difference of depth of two neighbours among the sorted fragments whose exchange would
-   * change a component of the pixel by more than `visible`; infinite without such.
+   * How much the colour of the pixel may change where sorted fragments that are less than
+   * `resolution` apart in depth change places: the sum over all pairs. Those of the very same depth
+   * have an order of their own.
    */
-  Real GetOrderMargin(Real visible) const
+  Vector3<Real> GetOrderChange(Real resolution) const
   {
-    Real margin = std::numeric_limits<Real>::infinity();
+    const auto& list = this->Translucent;
+    Vector3<Real> change(Real(0));
     Real transmittance = 1;
-    for (std::size_t i = 1; i < this->Translucent.size(); ++i)
+    for (auto front = list.begin(); front != list.end(); ++front)
     {
-      const auto& front = this->Translucent[i - 1];
-      const auto& back = this->Translucent[i];
-      const Real alpha = front.color.a * front.fading;
-      const Vector3<Real> difference =
-        glm::abs(Vector3<Real>(front.color) - Vector3<Real>(back.color));
-      const Real change = transmittance * alpha * back.color.a * back.fading *
-        std::max({ difference.r, difference.g, difference.b });
-      margin = change > visible ? std::min(margin, back.depth - front.depth) : margin;
+      const Real alpha = front->color.a * front->fading;
+      for (auto back = front + 1; back != list.end() && back->depth - front->depth < resolution;
+           ++back)
+      {
+        const Real share = back->depth == front->depth
+          ? Real(0)
+          : transmittance * alpha * back->color.a * back->fading;
+        change += share * glm::abs(Vector3<Real>(front->color) - Vector3<Real>(back->color));
+      }
       transmittance *= 1 - alpha;
     }
-    return margin;
+    return change;
   }
 
 private:

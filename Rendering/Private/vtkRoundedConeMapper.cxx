@@ -367,7 +367,8 @@ void vtkRoundedConeMapper::UpdateShaderVariant(vtkActor* actor)
   const auto& leaves = this->Nodes->GetLeaves();
   ShaderVariant variant;
   variant.CutOpen = this->IsCutOpen();
-  variant.Shiny = actor->GetProperty()->GetSpecular() != 0.0;
+  // Stays, since actors may share the mapper.
+  variant.Shiny = this->Variant.Shiny || actor->GetProperty()->GetSpecular() != 0.0;
   variant.HasBlockColors = std::any_of(
     leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.Display.Color.has_value(); });
   if (!(variant == this->Variant))

@@ -155,7 +155,7 @@ private:
   struct ShaderVariant
   {
     bool CutOpen = false; ///< the near plane or a clipping plane may show inner walls
-    bool Shiny = false;   ///< there are specular reflections
+    bool Shiny = false;   ///< an actor had specular reflections
     bool HasBlockColors = false;
 
     bool operator==(const ShaderVariant& other) const

@@ -7,7 +7,7 @@ import os
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObjectBase, vtkPoints
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkObjectBase, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
@@ -116,8 +116,16 @@ def scalars_of_points(data, name):
     for leaf in leaves_of(data):
         array = leaf.GetPointData().GetArray(name)
         has_scalars = array and array.GetNumberOfComponents() == 1
-        parts.append(vtk_to_numpy(array) if has_scalars else numpy.full(leaf.GetNumberOfPoints(), numpy.nan))
+        parts.append(_numbers_in(array) if has_scalars else numpy.full(leaf.GetNumberOfPoints(), numpy.nan))
     return numpy.concatenate(parts)
+
+
+def _numbers_in(array):
+    if not isinstance(array, vtkBitArray):
+        return vtk_to_numpy(array)
+    numbers = vtkUnsignedCharArray()
+    numbers.DeepCopy(array)
+    return vtk_to_numpy(numbers)
 
 
 def check_radii(data, name):

@@ -51,28 +51,30 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
     Returns the vtkOpacityOptimization; actors whose data has segments can have the same by `Attach`.
     restore() ends it, and takes the segments from all actors with the same mapper.
     Raises ValueError or TypeError, and changes nothing, where an argument is wrong. Warns where values
-    that differ all mean the same importance, or all are NaN. Equal values are for an actor that gives way,
-    or stays, as a whole.
+    that differ all mean the same importance, or all are NaN. Equal values let an actor give way, or stay,
+    as a whole, and are warned of only where the range has equal ends, too.
     """
-    optimization = attach_optimization(
-        actor, preset=preset, importance=importance, importance_range=importance_range, **parameters)
-    warn_of_even_importance(_own_input(actor.GetMapper()), optimization)
-    return optimization
+    return attach_optimization(actor, preset=preset, importance=importance, importance_range=importance_range,
+                               warns=True, **parameters)
 
 
-def attach_optimization(actor, *, preset, importance, importance_range, **parameters):
-    """What optimize() does, without its warning."""
+def attach_optimization(actor, *, preset, importance, importance_range, warns=False, **parameters):
+    """What optimize() does."""
     optimization = vtkOpacityOptimization()
     check_choice("preset", preset, presets())
     optimization.UsePreset(preset)
     set_parameters(optimization, parameters, OPTIMIZATION_PARAMETERS)
     optimization.SetImportanceRange(*finite_pair("importance_range", importance_range))
     _check_importance(actor, importance)
+    optimization.SetImportanceArray(importance)
+    if warns:
+        warn_of_even_importance(_own_input(actor.GetMapper()), optimization)
     if _add_segments(actor.GetMapper()) == "surfaces" and "smoothing_iterations" not in parameters:
         for_surfaces = vtkOpacityOptimization()
         for_surfaces.UsePreset(preset, True)
         optimization.SetSmoothingIterations(for_surfaces.GetSmoothingIterations())
-    return _attach(actor, optimization, importance)
+    vtkImportanceDrivenOpacity.Attach(actor, optimization)
+    return optimization
 
 
 def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0, 1.0),
@@ -98,8 +100,9 @@ def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0,
         "depth_weight", "importance_exponent", "global_opacity", "smooth_attributes"))
     avoidance.SetImportanceRange(*finite_pair("importance_range", importance_range))
     _check_importance(actor, importance)
-    _attach(actor, avoidance, importance)
+    avoidance.SetImportanceArray(importance)
     warn_of_even_importance(_own_input(actor.GetMapper()), avoidance)
+    vtkImportanceDrivenOpacity.Attach(actor, avoidance)
     return avoidance
 
 
@@ -148,10 +151,12 @@ def warn_of_even_importance(data, opacity):
     if len(known) < len(values):
         levels.add(0.0)
     if len(levels) == 1 and (not ends or low == high or ends[0] < ends[1]):
-        found = "them from {:g} to {:g}".format(*ends) if ends else "NaN alone"
+        expected = f"on both sides of importance_range {low:g}" if low == high else (
+            f"that differ within importance_range ({low:g}, {high:g})")
+        found, advice = ("them from {:g} to {:g}".format(*ends), "other limits or another array") if ends else (
+            "NaN alone", "another array")
         warn(f"importance is {levels.pop():g} everywhere in this actor, so that within it nothing fades in favour "
-             f"of anything else; expected values of {name!r} that differ within importance_range ({low:g}, "
-             f"{high:g}), found {found}; choose other limits or another array")
+             f"of anything else; expected values of {name!r} {expected}, found {found}; choose {advice}")
 
 
 def _importance_of(value, low, high):
@@ -203,9 +208,3 @@ def _add_segments(mapper):
         segments.SetInputConnection(mapper.GetInputConnection(0, 0))
         mapper.SetInputConnection(segments.GetOutputPort())
     return "lines" if as_lines else "surfaces"
-
-
-def _attach(actor, opacity, importance):
-    opacity.SetImportanceArray(importance)
-    vtkImportanceDrivenOpacity.Attach(actor, opacity)
-    return opacity

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from ._appearance import colors_of, find_scalars, finite_range
 from ._arguments import brief
+from ._geometry import leaves_of
 
 # Of vtkMapper; the Python wrappers of VTK 9.2 do not name them.
 VTK_COLOR_MODE_DEFAULT, VTK_COLOR_MODE_DIRECT_SCALARS = 0, 2
@@ -87,7 +88,14 @@ def _mapped_scalars(data, arguments):
 def _active_scalars_name(data, preference):
     if not isinstance(data, vtkCompositeDataSet):
         return pyvista.wrap(data).active_scalars_name
-    names = {array.GetName() for array in find_scalars(data, None, preference)[1]}
+    # PyVista maps those that are active in all blocks.
+    of_points, of_cells = (_common_scalars_name(data, fields) for fields in ("Point", "Cell"))
+    return of_cells if of_points is None or (preference == "cell" and of_cells is not None) else of_points
+
+
+def _common_scalars_name(data, fields):
+    arrays = [getattr(leaf, f"Get{fields}Data")().GetScalars() for leaf in leaves_of(data)]
+    names = {array.GetName() if array else None for array in arrays}
     return names.pop() if len(names) == 1 else None
 
 

@@ -17,7 +17,8 @@ def install(view):
 
     Returns the vtkExactTransparencyPass that draws the renderer, for its parameters (`memory_limit`,
     the size of the fragment lists in MiB, at least 1; less counts as 1) and statistics
-    (`statistics`); of a plotter that of its active renderer, of a window that of its first. Each renderer has a pass of its own, which a second call returns:
+    (`statistics`); of a plotter that of its active renderer, of a window that of its first. Each
+    renderer has a pass of its own, which a second call returns:
     `[pellucid.install(renderer) for renderer in plotter.renderers]`. Raises TypeError for anything
     else, and ValueError for a window without a renderer.
 

@@ -34,7 +34,7 @@ float pellucidOpaqueLimit(ivec2 windowPixel, int sampleIndex)
 float pellucidFarthestOpaqueLimit(ivec2 windowPixel)
 {
   float limit = pellucidOpaqueLimit(windowPixel, 0);
-#if PELLUCID_SAMPLES > 1 // a loop that has no rounds costs one, too
+#if PELLUCID_SAMPLES > 1 // a loop without rounds takes time, too
   for (int sampleIndex = 1; sampleIndex < PELLUCID_SAMPLES; ++sampleIndex)
   {
     limit = max(limit, pellucidOpaqueLimit(windowPixel, sampleIndex));

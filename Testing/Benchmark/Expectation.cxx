@@ -44,7 +44,7 @@ Expectation DrawExpectation(vtkRenderer* renderer, const std::array<int, 2>& siz
   {
     const auto reference = DrawReference(renderer, size);
     expectation.Picture.emplace(reference->GetImage(), reference->GetFragmentCounts());
-    expectation.Picture->AddOrderMargins(reference->GetOrderMargins());
+    expectation.Picture->AddOrderChanges(reference->GetOrderChanges());
     expectation.Fragments = reference->GetNumberOfFragments();
     expectation.LongestList = reference->GetLongestList();
   }
@@ -56,7 +56,7 @@ Expectation DrawExpectation(vtkRenderer* renderer, const std::array<int, 2>& siz
       camera->SetWindowCenter(2.0 * x / size[0], 2.0 * y / size[1]);
       const auto displaced = DrawReference(renderer, size);
       expectation.Picture->AddDisplaced(displaced->GetImage(), displaced->GetFragmentCounts());
-      expectation.Picture->AddOrderMargins(displaced->GetOrderMargins());
+      expectation.Picture->AddOrderChanges(displaced->GetOrderChanges());
     }
   }
   camera->SetWindowCenter(0.0, 0.0);

@@ -30,9 +30,8 @@ constexpr double White = 255.0;
 // where both pictures are rounded.
 constexpr double LargestChange = 1.0;
 
-// Of window depth: eight steps of single precision below 1, in which OpenGL has positions and
-// depths.
-constexpr double DepthResolution = 4.0 * std::numeric_limits<float>::epsilon();
+// Of a component: half a step.
+constexpr double VisibleChange = 0.5 / White;
 
 // Of the structural similarity.
 constexpr double WindowDeviation = 1.5;
@@ -228,14 +227,15 @@ void ExpectedPicture::AddDisplaced(vtkImageData* picture, vtkImageData* counts)
 }
 
 //------------------------------------------------------------------------------
-void ExpectedPicture::AddOrderMargins(vtkImageData* margins)
+void ExpectedPicture::AddOrderChanges(vtkImageData* changes)
 {
-  CheckSameSize(margins, this->Picture);
-  const auto values = vtk::DataArrayValueRange<1>(
-    vtkDoubleArray::SafeDownCast(margins->GetPointData()->GetScalars()));
-  for (vtkIdType pixel = 0; pixel < values.size(); ++pixel)
+  CheckSameSize(changes, this->Picture);
+  const auto colors = vtk::DataArrayTupleRange<3>(
+    vtkDoubleArray::SafeDownCast(changes->GetPointData()->GetScalars()));
+  for (vtkIdType pixel = 0; pixel < colors.size(); ++pixel)
   {
-    if (values[pixel] < DepthResolution)
+    const auto color = colors[pixel];
+    if (std::max({ color[0], color[1], color[2] }) > VisibleChange)
     {
       this->Edges[pixel] = true;
     }

@@ -38,9 +38,9 @@ public:
   /** Take into account the same picture, displaced. */
   void AddDisplaced(vtkImageData* picture, vtkImageData* counts);
 
-  /** Take into account how far the order of the fragments, also of a displaced picture, is from
-   * another one that shows (vtkReferenceRenderer::GetOrderMargins()). */
-  void AddOrderMargins(vtkImageData* margins);
+  /** Take into account how much other orders of the fragments, also of a displaced picture, show
+   * (vtkReferenceRenderer::GetOrderChanges()). */
+  void AddOrderChanges(vtkImageData* changes);
 
   vtkImageData* GetPicture() const { return this->Picture; }
   bool IsCovered(vtkIdType pixel) const;

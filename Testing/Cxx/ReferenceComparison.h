@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,8 +33,8 @@
  * that is extrapolated beyond the edge. Such a pixel is explained when a ray displaced by 1/64
  * pixel in some direction leaves at most half of the difference, and at most 16 of 255: so no pixel
  * near which the reference does not change is explained. It is counted as a silhouette pixel and
- * not measured. So is one where two fragments are closer in depth than single precision tells, if
- * their exchange would show.
+ * not measured. So is one whose difference is not larger than what the order of fragments makes
+ * that are closer in depth than single precision tells.
  *
  * Through smoothed attributes or the least opacity of a segment, such a pixel decides on others
  * too. Displacing all rays together does not show what the one and not the next does, but it shows
@@ -62,7 +61,7 @@ public:
     , Tolerance(tolerance)
   {
     const std::vector<double> reference = this->RenderReference(0.0, 0.0);
-    const std::vector<double> orderMargins = this->OrderMargins;
+    const std::vector<double> orderChanges = this->OrderChanges;
     std::vector<DoubtfulPixel> doubtful;
     MeanSquare picture;
     MeanSquare covered;
@@ -71,8 +70,7 @@ public:
       const double difference = this->GetDifference(reference, pixel);
       if (difference > this->Tolerance)
       {
-        // What has the very same depth is ordered by other things, here and there.
-        if (orderMargins[pixel] > 0.0 && orderMargins[pixel] < DepthResolution)
+        if (this->GetDifference(reference, pixel, &orderChanges[3 * pixel]) <= this->Tolerance)
         {
           ++this->SilhouettePixels;
           continue;
@@ -186,7 +184,6 @@ private:
   };
 
   static constexpr double SilhouetteTolerance = 16.0;
-  static constexpr double DepthResolution = 4.0 * std::numeric_limits<float>::epsilon();
 
   /// Render what the pass of the renderer shows, if it has one.
   void Update(vtkReferenceRenderer* reference)
@@ -217,7 +214,7 @@ private:
     this->Fragments = reference->GetNumberOfFragments();
     this->LongestList = reference->GetLongestList();
     this->FragmentCounts = GetValues(reference->GetFragmentCounts());
-    this->OrderMargins = GetValues(reference->GetOrderMargins());
+    this->OrderChanges = GetValues(reference->GetOrderChanges());
     return GetValues(reference->GetImage());
   }
 
@@ -243,14 +240,17 @@ private:
     return uniform;
   }
 
-  double GetDifference(const std::vector<double>& reference, std::size_t pixel) const
+  /// In steps of 8 bits, but for what each component may change.
+  double GetDifference(
+    const std::vector<double>& reference, std::size_t pixel, const double* changes = nullptr) const
   {
     double largest = 0.0;
     for (int i = 0; i < (this->HasAlpha ? 4 : 3); ++i)
     {
       // As an 8-bit picture would show it.
       const double expected = std::floor(255.0 * reference[4 * pixel + i] + 0.5);
-      largest = std::max(largest, std::abs(this->Shown.Rgba[4 * pixel + i] - expected));
+      const double change = changes && i < 3 ? 255.0 * changes[i] : 0.0;
+      largest = std::max(largest, std::abs(this->Shown.Rgba[4 * pixel + i] - expected) - change);
     }
     return largest;
   }
@@ -339,7 +339,7 @@ private:
   vtkRenderer* Renderer;
   double Tolerance;
   std::vector<double> FragmentCounts; // of the last reference
-  std::vector<double> OrderMargins;   // of the same
+  std::vector<double> OrderChanges;   // of the same
   double RootMeanSquare = 0.0;
   double CoveredRootMeanSquare = 0.0;
   double LargestDifference = 0.0;

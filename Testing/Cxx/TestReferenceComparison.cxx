@@ -67,6 +67,59 @@ bool TestMovedPicture(const Comparison& comparison)
   camera->SetWindowCenter(0.0, 0.0);
   return passed;
 }
+
+// Two translucent squares that are closer than single precision resolves may be in either order,
+// and nothing else is excused there.
+bool TestUnresolvedOrder()
+{
+  SphereScene scene(60, 40, 0, 0, 0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  vtkActor* squares[2];
+  for (vtkActor*& square : squares)
+  {
+    vtkNew<vtkPlaneSource> source;
+    source->SetOrigin(-9.0, -9.0, 0.0);
+    source->SetPoint1(9.0, -9.0, 0.0);
+    source->SetPoint2(-9.0, 9.0, 0.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(0.5);
+    scene.Renderer->AddActor(actor);
+    square = actor;
+  }
+  squares[0]->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  squares[1]->GetProperty()->SetColor(0.0, 0.0, 1.0);
+  const double distance = camera->GetDistance();
+  const auto render = [&](double offset)
+  {
+    squares[1]->SetPosition(0.0, 0.0, offset);
+    camera->SetClippingRange(distance - 1.0, distance + 1.0);
+    return Picture::Render(scene.Window);
+  };
+  vtkTransparencyInstaller::Install(scene.Renderer);
+  const Picture redFirst = render(-0.1);
+  const Picture blueFirst = render(0.1);
+  squares[1]->VisibilityOff();
+  const Picture withoutBlue = render(0.1);
+  squares[1]->VisibilityOn();
+  const auto count = [&](const Picture& picture, double offset)
+  {
+    render(offset);
+    return ReferenceComparison(picture, scene.Renderer, false).GetUnexplainedPixels();
+  };
+  const vtkIdType all = 60 * 40;
+  bool passed = Check(count(redFirst, -0.1) == 0 && count(redFirst, 0.1) == all,
+    "the order of squares that are far apart is not compared");
+  passed &= Check(count(redFirst, 6e-7) == 0 && count(blueFirst, 6e-7) == 0,
+    "an order that single precision does not resolve is not excused");
+  passed &= Check(count(withoutBlue, 6e-7) == all, "a lost fragment is excused by another's order");
+  passed &= Check(count(blueFirst, -2e-6) == all, "an order that is resolved is excused");
+  return passed;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -76,5 +129,6 @@ int TestReferenceComparison(int, char*[])
   bool passed = TestDamage(comparison);
   passed &= TestDamagedPixel(comparison);
   passed &= TestMovedPicture(comparison);
+  passed &= TestUnresolvedOrder();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -36,27 +36,30 @@ void TestLayers(Checks& checks, int layers, double alpha)
     name + ", none lost", pixel.GetTranslucent().size() == static_cast<std::size_t>(layers));
 }
 
-void TestOrderMargin(Checks& checks)
+void TestOrderChange(Checks& checks)
 {
   Pixel pixel;
-  const auto margin = [&](double visible)
+  const auto check = [&](const char* name, double resolution, double red, double green, double blue)
   {
     pixel.Sort();
-    return pixel.GetOrderMargin(visible);
+    const auto change = pixel.GetOrderChange(resolution);
+    checks.Near(std::string(name) + ", red", change.r, red, 1e-15);
+    checks.Near(std::string(name) + ", green", change.g, green, 1e-15);
+    checks.Near(std::string(name) + ", blue", change.b, blue, 1e-15);
   };
-  checks.True("no fragment", std::isinf(margin(0.0)));
+  check("no fragment", 1.0, 0.0, 0.0, 0.0);
   pixel.Add({ 0.2, Color(1, 0, 0, 0.5) }, false);
-  checks.True("one fragment", std::isinf(margin(0.0)));
-  // The exchange changes red by 0.5 * 0.4, then blue by 0.5 * 0.6 * 0.2 * 0.5.
+  check("one fragment", 1.0, 0.0, 0.0, 0.0);
+  // The exchange changes red by 0.5 * 0.4, then blue by 0.5 * 0.4 * 0.2 * 0.5.
   pixel.Add({ 0.5, Color(0, 0, 0, 0.4) }, false);
   pixel.Add({ 0.6, Color(0, 0, 0.5, 0.2) }, false);
-  checks.Near("the nearest pair", margin(0.0), 0.1, 1e-15);
-  checks.Near("just visible", margin(0.0199), 0.1, 1e-15);
-  checks.Near("only the first pair is visible", margin(0.0201), 0.3, 1e-15);
-  checks.Near("just visible as well", margin(0.199), 0.3, 1e-15);
-  checks.True("nothing is visible", std::isinf(margin(0.201)));
+  check("no pair is so close", 0.09, 0.0, 0.0, 0.0);
+  check("the nearest pair", 0.11, 0.0, 0.0, 0.02);
+  check("two pairs", 0.31, 0.2, 0.0, 0.02);
+  // The third may come to the front, too: 0.5 * 0.2 of red, and half of that of blue.
+  check("all pairs", 0.5, 0.3, 0.0, 0.07);
   pixel.Add({ 0.6, Color(0, 0.5, 0.5, 0.2) }, false);
-  checks.Near("equal depths", margin(0.0), 0.0, 0.0);
+  check("none for equal depths", 0.11, 0.0, 0.02, 0.04);
 }
 
 void TestOrder(Checks& checks)
@@ -145,7 +148,7 @@ int TestReferenceCompositing(int, char*[])
   TestLayers(checks, 1000, 0.3);
   TestLayers(checks, 100000, 1e-4);
   TestOrder(checks);
-  TestOrderMargin(checks);
+  TestOrderChange(checks);
   TestShuffles(checks);
   TestEqualDepths(checks);
   return checks.Result();

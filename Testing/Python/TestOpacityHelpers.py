@@ -9,6 +9,7 @@ import warnings
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -281,14 +282,19 @@ class TestAvoid(unittest.TestCase):
 
 class TestWarnings(unittest.TestCase):
     ROWS = (
-        (r"importance is 0 everywhere in this actor, so that within it nothing fades in favour of anything else; "
-         r"expected values of 'speed' that differ within importance_range \(1, 1\), found them from 0 to 0.5; "
-         "choose other limits or another array", (0, 0.5, 0, 0.5), (1, 1)),
-        (r"importance is 1 everywhere in this actor, .* \(0, 0\), found them from 0 to 0.5", (0, 0.5, 0, 0.5), (0, 0)),
-        (r"importance is 0 everywhere in this actor, .* \(1, 1\), found them from 0 to 0", (0, 0, 0, 0), (1, 1)),
-        (r"importance is 1 everywhere in this actor, .* \(0, 1\), found them from 3 to 20", (3, 20, 5, 6), (0, 1)),
-        (r"importance is 0 everywhere in this actor, .* \(9, 8\), found them from 10 to inf", (10, numpy.inf, 12, 10), (9, 8)),
-        (r"importance is 0 everywhere in this actor, .* \(0, 1\), found NaN alone", (numpy.nan,) * 4, (0, 1)),
+        (r"importance is 1 everywhere in this actor, so that within it nothing fades in favour of anything else; "
+         r"expected values of 'speed' that differ within importance_range \(0, 1\), found them from 3 to 20; "
+         "choose other limits or another array", (3, 20, 5, 6), (0, 1)),
+        ("importance is 0 everywhere in this actor, .* 'speed' on both sides of importance_range 1, found them "
+         "from 0 to 0.5", (0, 0.5, 0, 0.5), (1, 1)),
+        ("importance is 1 everywhere in this actor, .* importance_range 0, found them from 0 to 0.5",
+         (0, 0.5, 0, 0.5), (0, 0)),
+        ("importance is 0 everywhere in this actor, .* importance_range 1, found them from 0 to 0",
+         (0, 0, 0, 0), (1, 1)),
+        (r"importance is 0 everywhere in this actor, .* \(9, 8\), found them from 10 to inf",
+         (10, numpy.inf, 12, 10), (9, 8)),
+        (r"importance is 0 everywhere in this actor, .* \(0, 1\), found NaN alone; choose another array",
+         (numpy.nan,) * 4, (0, 1)),
     )
 
     def test_even_importance_is_told_once(self):
@@ -314,6 +320,27 @@ class TestWarnings(unittest.TestCase):
             warnings.simplefilter("error")
             pellucid.add_lines(renderer, data, importance="speed")
         self.assertEqual(renderer.GetActors().GetNumberOfItems(), 0)
+        for function in (pellucid.optimize, pellucid.avoid):
+            actor = make_actor(data)
+            source = actor.GetMapper().GetInputAlgorithm()
+            with warnings.catch_warnings(), self.assertRaisesRegex(UserWarning, "importance is 1 everywhere"):
+                warnings.simplefilter("error")
+                function(actor, importance="speed")
+            self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
+            self.assertIs(actor.GetMapper().GetInputAlgorithm(), source)
+
+    def test_importance_of_bits(self):
+        """NumPy has no such arrays."""
+        bits = vtkBitArray()
+        bits.SetName("speed")
+        for value in (0, 1, 1, 0):
+            bits.InsertNextValue(value)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for function in (pellucid.optimize, pellucid.avoid):
+                data = make_lines()
+                data.GetPointData().AddArray(bits)
+                function(make_actor(data), importance="speed")
 
     def test_no_warning(self):
         """Where importance differs, an actor gives way as a whole, or there are no points yet."""

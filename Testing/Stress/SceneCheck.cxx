@@ -195,10 +195,12 @@ vtkIdType GetMostSliverPixels(const SceneDescription& scene)
 }
 
 /** How many pixels may be nearer to an edge than OpenGL can tell: the more layers, the more edges;
- * and where props and pixels are symmetric, a few in any case. */
+ * a few of a small picture, but never more than a twentieth. */
 vtkIdType GetMostSilhouettePixels(vtkIdType pixels, vtkIdType fragments)
 {
-  return std::max<vtkIdType>(8, std::max(pixels, fragments) / 200);
+  const vtkIdType most = std::max<vtkIdType>(1, pixels / 20);
+  return std::clamp<vtkIdType>(
+    std::max(pixels, fragments) / 200, std::min<vtkIdType>(8, most), most);
 }
 
 /** How many pixels may be unlike the reference at their centre and like it nearby. Smoothed

@@ -393,6 +393,25 @@ class TestAddLines(PlotterTest):
         pellucid.add_lines(plotter, blocks)
         self.assertFalse(plotter.scalar_bars)
 
+    def test_scalar_bars_of_composite_data_name_what_is_mapped(self):
+        """What is active in all blocks, points before cells."""
+        for names, cells, title in ((("a", None), ("c", "c"), "c"), (("a", "b"), ("c", "c"), "c"),
+                                    (("a", "a"), ("c", "c"), "a"), (("a", "b"), ("c", None), None)):
+            blocks = pyvista.MultiBlock([crossing_lines(), crossing_lines()])
+            for block, points, of_cells in zip(blocks, names, cells):
+                block.clear_data()
+                if points:
+                    block.point_data[points] = range(block.n_points)
+                    block.point_data.active_scalars_name = points
+                if of_cells:
+                    block.cell_data[of_cells] = range(block.n_cells)
+                    block.cell_data.active_scalars_name = of_cells
+            for add in (pyvista.Plotter.add_mesh, pellucid.add_lines):
+                plotter = self.make_plotter()
+                mapper = add(plotter, blocks).GetMapper()
+                self.assertEqual(list(plotter.scalar_bars.keys()), [title] if title else [])
+                self.assertEqual(bool(mapper.GetScalarVisibility()), title is not None)
+
     def test_composite_data_refuse_what_pyvista_ignores(self):
         blocks = pyvista.MultiBlock([crossing_lines()])
         for arguments, message in (

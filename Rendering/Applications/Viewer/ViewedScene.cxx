@@ -148,7 +148,7 @@ void ViewedScene::ResetCamera()
   {
     this->Renderer->GetActiveCamera()->ParallelProjectionOff();
     SetUpCamera(this->Renderer, this->Made->Drawn, this->Options, this->GetAspect());
-    this->FirstCamera = this->DescribeCamera();
+    this->UnmovedCamera = this->DescribeCamera();
   }
 }
 
@@ -161,7 +161,7 @@ void ViewedScene::SetSize(int width, int height)
     return;
   }
   this->Options.Size = size;
-  if (this->Renderer && this->DescribeCamera() == this->FirstCamera)
+  if (this->Renderer && this->DescribeCamera() == this->UnmovedCamera)
   {
     this->ResetCamera();
   }
@@ -221,7 +221,7 @@ void ViewedScene::Show(const MadeScene& made, const RenderOptions& options, vtkC
   this->Renderer = renderer;
   if (!camera)
   {
-    this->FirstCamera = this->DescribeCamera();
+    this->UnmovedCamera = this->DescribeCamera();
   }
 }
 

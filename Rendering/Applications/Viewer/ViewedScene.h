@@ -86,7 +86,7 @@ private:
 
   std::vector<Drawable> Drawables; // as read and traced
   std::vector<std::string> ArrayNames;
-  std::string FirstCamera; // as it was before anybody moved it
+  std::string UnmovedCamera; // as DescribeCamera() told of it before anybody moved it
   std::unique_ptr<MadeScene> Made;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkExactTransparencyPass* Pass = nullptr; // of the renderer

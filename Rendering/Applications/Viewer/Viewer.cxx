@@ -195,10 +195,10 @@ void Viewer::DrawFrame()
   const auto pixels = this->Window.GetSize();
   this->Panel.SetScale(this->Window.GetScale());
   const int panelWidth = this->GetPanelWidth();
-  this->Scene.SetSize(pixels[0] - panelWidth, pixels[1]);
   this->View.SetSize(pixels[0] - panelWidth, pixels[1]);
   try
   {
+    this->Scene.SetSize(pixels[0] - panelWidth, pixels[1]);
     this->DrawView(this->FadeTime);
   }
   catch (const RenderError& error)
