@@ -49,7 +49,7 @@
  * Choices. Each was measured beside others on Mesa's software renderer; Testing/Benchmark/README.md
  * has the figures, by which one that is never the best has been left out. None was measured on a
  * GPU.
- * - Store: linked lists. Arrays of the right length need the geometry twice, which took 1.5 to 2.2
+ * - Store: linked lists. Arrays of the right length need the geometry twice, which took 1.4 to 2.0
  * times as long in the median, to save 4 bytes of 16 for each fragment.
  * - Sort, by the length of each list: up to 16 fragments by insertion, more by merging runs of 16,
  * and above 2048 on the CPU, since software renderers end shaders after some 65,000 loop

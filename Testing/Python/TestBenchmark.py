@@ -122,6 +122,7 @@ class TestFiles(BenchmarkTest):
         self.assertAlmostEqual(row["psnr"], 20 * math.log10(255 / row["rmse"]), 9)
         self.assertTrue(0.5 < row["ssim"] <= 1)
         self.assertTrue(0 < row["covered_pixels"] < 200 * 150)
+        # Lines of few pixels are mostly edges: 242 of 1209 pixels.
         self.assertLess(row["edge_pixels"], 0.25 * row["covered_pixels"])
         self.assertLess(row["rmse"], row["rmse_covered"])
         self.assertGreaterEqual(row["max_error_all_pixels"], row["max_error"])
