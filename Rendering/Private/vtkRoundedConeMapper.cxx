@@ -9,11 +9,8 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerVectorKey.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLActor.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLError.h" // and the OpenGL loader, whose header differs between VTK versions
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -34,7 +31,6 @@
 #include "vtkTrajectoryNodesDec.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -92,39 +88,6 @@ void SkipSegments(vtkShaderEdit& vertex, const std::string& condition)
       "    return;\n"
       "  }\n"
       "  ");
-}
-
-// A homogeneous point by a transposed matrix.
-std::array<double, 3> TransformPoint(const double point[4], vtkMatrix4x4* transposed)
-{
-  std::array<double, 4> sum{};
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      sum[j] += point[i] * transposed->GetElement(i, j);
-    }
-  }
-  return { { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] } };
-}
-
-// Of OpenGL and not of the renderer: render passes may draw to something of another size.
-void GetViewport(vtkRenderer* renderer, int viewport[4])
-{
-  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-    ->GetState()
-    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-}
-
-// Coefficients of the plane whose value at a point of view coordinates is that clip coordinate.
-std::array<double, 4> ClipRow(vtkMatrix4x4* viewToClip, int column)
-{
-  std::array<double, 4> row;
-  for (int i = 0; i < 4; ++i)
-  {
-    row[i] = viewToClip->GetElement(i, column);
-  }
-  return row;
 }
 }
 
@@ -298,67 +261,9 @@ void vtkRoundedConeMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* 
     indices->IndexCount = corners.size();
   }
 
-  this->UpdateMatrices(renderer, actor);
+  this->View.Update(*this->Nodes, renderer, actor);
   this->UpdateShaderVariant(actor);
-  this->UpdateShapes(renderer, actor);
-}
-
-//------------------------------------------------------------------------------
-void vtkRoundedConeMapper::UpdateMatrices(vtkRenderer* renderer, vtkActor* actor)
-{
-  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
-  vtkMatrix4x4* worldToView;
-  vtkMatrix4x4* worldToClip;
-  vtkMatrix4x4* viewToClip;
-  vtkMatrix3x3* normals;
-  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
-  vtkMatrix4x4* dataToWorld;
-  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, normals);
-
-  // In double precision down to here: far from the origin, the large numbers cancel.
-  vtkNew<vtkMatrix4x4> nodeToData;
-  for (int i = 0; i < 3; ++i)
-  {
-    nodeToData->SetElement(3, i, this->Nodes->GetCenter()[i]);
-  }
-  vtkMatrix4x4::Multiply4x4(nodeToData, dataToWorld, this->NodeToView);
-  vtkMatrix4x4::Multiply4x4(this->NodeToView, worldToView, this->NodeToView);
-  this->Origin = { { 0.0f, 0.0f, 0.0f } };
-  if (!this->Nodes->GetRemainders().empty())
-  {
-    const double eye[4] = { 0.0, 0.0, 0.0, 1.0 };
-    vtkNew<vtkMatrix4x4> viewToNode;
-    vtkMatrix4x4::Invert(this->NodeToView, viewToNode);
-    const std::array<double, 3> origin = TransformPoint(eye, viewToNode);
-    std::copy(origin.begin(), origin.end(), this->Origin.begin());
-  }
-  this->WorldToView->DeepCopy(worldToView);
-  this->ViewToClip->DeepCopy(viewToClip);
-  vtkMatrix4x4::Invert(viewToClip, this->ClipToView);
-  this->Parallel = camera->GetParallelProjection() != 0;
-  this->NearPlane = static_cast<float>(camera->GetClippingRange()[0]);
-}
-
-//------------------------------------------------------------------------------
-bool vtkRoundedConeMapper::IsCutOpen()
-{
-  vtkBoundingBox corners;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
-    corners.AddPoint(TransformPoint(clip, this->ClipToView).data());
-  }
-  vtkBoundingBox trajectories;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double node[4] = { 0.0, 0.0, 0.0, 1.0 };
-    this->Nodes->GetPointBounds().GetCorner(corner, node);
-    vtkMath::Subtract(node, this->Nodes->GetCenter().data(), node);
-    trajectories.AddPoint(TransformPoint(node, this->NodeToView).data());
-  }
-  trajectories.Inflate(this->Nodes->GetMaximumRadius());
-
-  return this->GetNumberOfClippingPlanes() > 0 || trajectories.Intersects(corners);
+  this->UpdateShapes(actor);
 }
 
 //------------------------------------------------------------------------------
@@ -366,7 +271,7 @@ void vtkRoundedConeMapper::UpdateShaderVariant(vtkActor* actor)
 {
   const auto& leaves = this->Nodes->GetLeaves();
   ShaderVariant variant;
-  variant.CutOpen = this->IsCutOpen();
+  variant.CutOpen = this->GetNumberOfClippingPlanes() > 0 || this->View.MayCutOpen(*this->Nodes);
   // Stays, since actors may share the mapper.
   variant.Shiny = this->Variant.Shiny || actor->GetProperty()->GetSpecular() != 0.0;
   variant.HasBlockColors = std::any_of(
@@ -645,10 +550,6 @@ void vtkRoundedConeMapper::SetMapperShaderParameters(
   {
     program->SetUniformi(texture->Sampler, texture->Texture->GetTextureUnit());
   }
-  if (!this->Nodes->GetRemainders().empty())
-  {
-    program->SetUniform3f("nodeOrigin", this->Origin.data());
-  }
   if (this->Source == ColorSource::Texture)
   {
     program->SetUniformi("nodeColorMap", this->ColorMap->GetTextureUnit());
@@ -672,9 +573,10 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
     count = MaximumClippingPlanes;
   }
   vtkNew<vtkMatrix4x4> viewToWorld;
-  vtkMatrix4x4::Invert(this->WorldToView, viewToWorld);
+  vtkMatrix4x4::Invert(this->View.GetWorldToView(), viewToWorld);
   viewToWorld->Transpose();
-  float planes[1 + MaximumClippingPlanes][4] = { { 0.0f, 0.0f, -1.0f, -this->NearPlane } };
+  float planes[1 + MaximumClippingPlanes][4] = { { 0.0f, 0.0f, -1.0f,
+    -static_cast<float>(this->View.GetNearPlane()) } };
   for (int i = 0; i < count; ++i)
   {
     double plane[4];
@@ -686,68 +588,9 @@ void vtkRoundedConeMapper::SetClipParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkMatrix4x4> vtkRoundedConeMapper::GetPixelToView(vtkRenderer* renderer)
+void vtkRoundedConeMapper::UpdateShapes(vtkActor* actor)
 {
-  int viewport[4];
-  GetViewport(renderer, viewport);
-  vtkNew<vtkMatrix4x4> pixelToClip;
-  for (int i = 0; i < 2; ++i)
-  {
-    pixelToClip->SetElement(i, i, 2.0 / viewport[2 + i]);
-    pixelToClip->SetElement(3, i, -1.0 - 2.0 * viewport[i] / viewport[2 + i]);
-  }
-  pixelToClip->SetElement(3, 2, -1.0); // on the near plane
-  auto pixelToView = vtkSmartPointer<vtkMatrix4x4>::New();
-  vtkMatrix4x4::Multiply4x4(pixelToClip, this->ClipToView, pixelToView);
-  return pixelToView;
-}
-
-//------------------------------------------------------------------------------
-std::array<vtkNodeGroups::Plane, 6> vtkRoundedConeMapper::GetFrustum() const
-{
-  const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
-  std::array<vtkNodeGroups::Plane, 6> frustum;
-  for (int i = 0; i < 6; ++i)
-  {
-    const std::array<double, 4> row = ClipRow(this->ViewToClip, i / 2);
-    vtkNodeGroups::Plane& plane = frustum[i];
-    for (int j = 0; j < 4; ++j)
-    {
-      plane[j] = w[j] + (i % 2 ? row[j] : -row[j]);
-    }
-    const double norm = std::hypot(plane[0], plane[1], plane[2]);
-    for (double& coefficient : plane)
-    {
-      coefficient = norm > 0.0 ? coefficient / norm : 0.0;
-    }
-  }
-  return frustum;
-}
-
-//------------------------------------------------------------------------------
-void vtkRoundedConeMapper::UpdateShapes(vtkRenderer* renderer, vtkActor* actor)
-{
-  int viewport[4];
-  GetViewport(renderer, viewport);
-  vtkNodeGroups::View view;
-  view.NodeToView = this->NodeToView;
-  view.Frustum = this->GetFrustum();
-  view.Parallel = this->Parallel;
-  const std::array<double, 4> w = ClipRow(this->ViewToClip, 3);
-  const double scale = this->Parallel ? w[3] : std::hypot(w[0], w[1], w[2]);
-  for (int i = 0; i < 2; ++i)
-  {
-    const std::array<double, 4> row = ClipRow(this->ViewToClip, i);
-    view.PixelsPerUnit = std::max(
-      view.PixelsPerUnit, 0.5 * viewport[2 + i] * std::hypot(row[0], row[1], row[2]) / scale);
-  }
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const double clip[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, 0.0, 1.0 };
-    const std::array<double, 3> point = TransformPoint(clip, this->ClipToView);
-    view.LargestSlope =
-      std::max(view.LargestSlope, std::hypot(point[0], point[1]) / std::abs(point[2]));
-  }
+  vtkNodeGroups::View view = this->View.GetGroupView();
   // With samples, a sprite covers some that the quad does not. The box around a slanted quad is up
   // to 1.6 times as wide as its group is taken for.
   GLint samples = 0;
@@ -764,34 +607,7 @@ void vtkRoundedConeMapper::SetCameraShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
-  vtkShaderProgram* program = cellBO.Program;
-  // The large numbers that nodes have in common with the eye cancel here, before they are rounded.
-  const double origin[4] = { this->Origin[0], this->Origin[1], this->Origin[2], 1.0 };
-  const std::array<double, 3> originVC = TransformPoint(origin, this->NodeToView);
-  vtkNew<vtkMatrix4x4> originToView;
-  originToView->DeepCopy(this->NodeToView);
-  for (int i = 0; i < 3; ++i)
-  {
-    originToView->SetElement(3, i, originVC[i]);
-  }
-  program->SetUniformMatrix("nodeVCMatrix", originToView);
-  program->SetUniformMatrix("VCDCMatrix", this->ViewToClip);
-  program->SetUniformMatrix("pixelVCMatrix", this->GetPixelToView(renderer));
-  program->SetUniformf("perspective", this->Parallel ? 0.0f : 1.0f);
-  const std::array<vtkNodeGroups::Plane, 6> planes = this->GetFrustum();
-  float frustum[6][4];
-  for (int i = 0; i < 6; ++i)
-  {
-    std::copy(planes[i].begin(), planes[i].end(), frustum[i]);
-  }
-  program->SetUniform4fv("frustumVC", 6, frustum);
-  if (program->IsUniformUsed("viewportSize"))
-  {
-    int viewport[4];
-    GetViewport(renderer, viewport);
-    const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
-    program->SetUniform2f("viewportSize", size);
-  }
+  this->View.SetShaderParameters(cellBO.Program);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -19,15 +19,14 @@
 #define vtkRoundedConeMapper_h
 
 #include "vtkBufferTexture.h"
-#include "vtkMatrix4x4.h" // for camera and actor
 #include "vtkNew.h"
 #include "vtkNodeGroups.h"
+#include "vtkNodeView.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLTexture.h" // for the colour map
 #include "vtkTrajectoryNodes.h"
 #include "vtkTrajectorySegmentNodes.h"
 
-#include <array>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -111,11 +110,8 @@ private:
 
   void ReplaceShaderOpacity(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
   void ReplaceShaderNodeColor(vtkShaderEdit& vertex, vtkShaderEdit& fragment);
-  void UpdateMatrices(vtkRenderer* renderer, vtkActor* actor);
-  bool IsCutOpen();
   void UpdateShaderVariant(vtkActor* actor);
-  void UpdateShapes(vtkRenderer* renderer, vtkActor* actor);
-  std::array<vtkNodeGroups::Plane, 6> GetFrustum() const;
+  void UpdateShapes(vtkActor* actor);
   void DrawShape(vtkNodeGroups::Shape shape, vtkRenderer* renderer, vtkActor* actor);
   void DrawNodes(vtkNodeGroups::Shape shape, vtkIdType first, vtkIdType last);
   void SetClipParameters(vtkShaderProgram* program);
@@ -123,10 +119,8 @@ private:
   /** Each shape has a shader program of its own. */
   vtkOpenGLHelper& GetHelper(vtkNodeGroups::Shape shape);
 
-  /** From window coordinates to the point of the near plane, transposed. */
-  vtkSmartPointer<vtkMatrix4x4> GetPixelToView(vtkRenderer* renderer);
-
   const vtkTrajectoryNodes* Nodes = nullptr;
+  vtkNodeView View;
   vtkNodeGroups Groups;
   vtkBufferTexture NodeTexture{ "nodes" };
   vtkBufferTexture RemainderTexture{ "nodeRemainders" };
@@ -141,15 +135,6 @@ private:
   vtkBufferTexture OpacityTexture{ "nodeOpacities" };
   std::vector<vtkTrajectorySegmentNodes::Node> Segments;
   vtkBufferTexture SegmentTexture{ "nodeSegments" };
-
-  // transposed, as VTK's key matrices are
-  vtkNew<vtkMatrix4x4> WorldToView;
-  vtkNew<vtkMatrix4x4> NodeToView;
-  vtkNew<vtkMatrix4x4> ViewToClip;
-  vtkNew<vtkMatrix4x4> ClipToView;
-  std::array<float, 3> Origin{ { 0.0f, 0.0f, 0.0f } }; ///< near the eye, for nodes with remainders
-  bool Parallel = false;
-  float NearPlane = 0.0f; ///< its distance
 
   /** What shaders leave out where it has no effect. */
   struct ShaderVariant
