@@ -106,6 +106,9 @@ class TestInstalled(unittest.TestCase):
             program.parent.mkdir()
             program.write_text("#!/bin/sh\nkill -s \"$1\" $$\n")
             program.chmod(0o755)
+            # Shells start what runs in the background with SIGINT ignored, and children inherit that.
+            before = signal.signal(signal.SIGINT, signal.SIG_DFL)
+            self.addCleanup(signal.signal, signal.SIGINT, before)
             for name in ("SEGV", "INT"):
                 done = run(sys.executable, "-c", "import _program; _program.main()", name, cwd=folder)
                 self.assertEqual((done.returncode, done.stderr), (-signal.Signals[f"SIG{name}"], ""))
