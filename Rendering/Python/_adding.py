@@ -15,7 +15,7 @@ from ._appearance import (
 )
 from ._arguments import check_names, check_number, class_name, number_of
 from ._geometry import check_radii, line_data, point_data, surface_data, with_arrays
-from ._opacities import OPTIMIZATION_PARAMETERS, attach_optimization, warn_of_even_importance
+from ._opacities import OPTIMIZATION_PARAMETERS, attach_optimization, make_optimization, warn_of_even_importance
 from ._renderers import install
 from .vtkPellucidRendering import vtkTrajectoryMapper
 
@@ -125,16 +125,18 @@ def _add(view, data, arguments, own, *, for_plotters=PLOTTER_ARGUMENTS, default_
     actor = vtkActor()
     actor.SetMapper(mapper)
 
-    def follow_importance(chosen):
-        return opacity and attach_optimization(chosen, **{
-            "preset": default_preset, "importance_range": (0.0, 1.0), **opacity,
-            "importance": names["importance"]})
-
     # Before the view changes, so that it does not where this raises an exception.
-    optimization = follow_importance(actor)
+    optimization = opacity and make_optimization(actor, **{
+        "preset": default_preset, "importance_range": (0.0, 1.0), **opacity, "importance": names["importance"]})
     if optimization:
         warn_of_even_importance(data, optimization)
+
+    def follow_importance(chosen):
+        if optimization:
+            attach_optimization(chosen, optimization)
+
     if not is_plotter:
+        follow_importance(actor)
         set_appearance(actor, data, **arguments)
         view.AddActor(actor)
         install(view)

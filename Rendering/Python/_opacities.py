@@ -54,12 +54,15 @@ def optimize(actor, preset="clear-front", importance="Importance", importance_ra
     that differ all mean the same importance, or all are NaN. Equal values let an actor give way, or stay,
     as a whole, and are warned of only where the range has equal ends, too.
     """
-    return attach_optimization(actor, preset=preset, importance=importance, importance_range=importance_range,
-                               warns=True, **parameters)
+    optimization = make_optimization(
+        actor, preset=preset, importance=importance, importance_range=importance_range, **parameters)
+    warn_of_even_importance(_own_input(actor.GetMapper()), optimization)
+    attach_optimization(actor, optimization)
+    return optimization
 
 
-def attach_optimization(actor, *, preset, importance, importance_range, warns=False, **parameters):
-    """What optimize() does."""
+def make_optimization(actor, *, preset, importance, importance_range, **parameters):
+    """That of optimize(), which the actor can have by attach_optimization(); changes nothing."""
     optimization = vtkOpacityOptimization()
     check_choice("preset", preset, presets())
     optimization.UsePreset(preset)
@@ -67,14 +70,24 @@ def attach_optimization(actor, *, preset, importance, importance_range, warns=Fa
     optimization.SetImportanceRange(*finite_pair("importance_range", importance_range))
     _check_importance(actor, importance)
     optimization.SetImportanceArray(importance)
-    if warns:
-        warn_of_even_importance(_own_input(actor.GetMapper()), optimization)
-    if _add_segments(actor.GetMapper()) == "surfaces" and "smoothing_iterations" not in parameters:
+    draws_lines, _ = _checked_kinds(actor.GetMapper())
+    if not draws_lines and "smoothing_iterations" not in parameters:
         for_surfaces = vtkOpacityOptimization()
         for_surfaces.UsePreset(preset, True)
         optimization.SetSmoothingIterations(for_surfaces.GetSmoothingIterations())
-    vtkImportanceDrivenOpacity.Attach(actor, optimization)
     return optimization
+
+
+def attach_optimization(actor, optimization):
+    """With segments, where the data has none."""
+    mapper = actor.GetMapper()
+    draws_lines, draws_surfaces = _checked_kinds(mapper)
+    if (draws_lines or draws_surfaces) and not _has_segments(mapper):
+        segments = vtkTrajectorySegments() if draws_lines else vtkSurfaceSegments()
+        segments._pellucid_inserted = True
+        segments.SetInputConnection(mapper.GetInputConnection(0, 0))
+        mapper.SetInputConnection(segments.GetOutputPort())
+    vtkImportanceDrivenOpacity.Attach(actor, optimization)
 
 
 def avoid(actor, mode="penalty", importance="Importance", importance_range=(0.0, 1.0),
@@ -188,23 +201,22 @@ def _check_importance(actor, importance):
     check_scalar_array(_input(mapper), "importance", importance)
 
 
-def _add_segments(mapper):
+def _has_segments(mapper):
+    return any(leaf.GetPointData().HasArray(name)
+               for leaf in leaves_of(_input(mapper)) for name in ("SegmentBase", "SegmentIds"))
+
+
+def _checked_kinds(mapper):
+    """Whether the mapper draws lines or points, and whether surfaces; both only with segments."""
     leaves = leaves_of(_input(mapper))
-    if any(leaf.GetPointData().HasArray(name)
-           for leaf in leaves for name in ("SegmentBase", "SegmentIds")):
-        return None
     draws_lines = any(leaf.GetNumberOfLines() + leaf.GetNumberOfVerts() for leaf in leaves)
-    if draws_lines and not isinstance(mapper, vtkTrajectoryMapper):
-        raise TypeError("lines and points: expected a vtkTrajectoryMapper, found a "
-                        f"{class_name(mapper)}; add_lines() and add_points() make one")
     draws_surfaces = any(leaf.GetNumberOfPolys() + leaf.GetNumberOfStrips() for leaf in leaves)
-    if draws_lines and draws_surfaces:
-        raise ValueError("the actor has both lines or points and surfaces; give each of them an "
-                         "actor of its own")
-    as_lines = draws_lines or (not draws_surfaces and isinstance(mapper, vtkTrajectoryMapper))
-    if as_lines or draws_surfaces:
-        segments = vtkTrajectorySegments() if as_lines else vtkSurfaceSegments()
-        segments._pellucid_inserted = True
-        segments.SetInputConnection(mapper.GetInputConnection(0, 0))
-        mapper.SetInputConnection(segments.GetOutputPort())
-    return "lines" if as_lines else "surfaces"
+    is_trajectory_mapper = isinstance(mapper, vtkTrajectoryMapper)
+    if not _has_segments(mapper):
+        if draws_lines and not is_trajectory_mapper:
+            raise TypeError("lines and points: expected a vtkTrajectoryMapper, found a "
+                            f"{class_name(mapper)}; add_lines() and add_points() make one")
+        if draws_lines and draws_surfaces:
+            raise ValueError("the actor has both lines or points and surfaces; give each of them an "
+                             "actor of its own")
+    return draws_lines or (not draws_surfaces and is_trajectory_mapper), draws_surfaces

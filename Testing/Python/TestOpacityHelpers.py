@@ -231,8 +231,10 @@ class TestOptimize(unittest.TestCase):
         for make, parameters, expected in (
             (make_lines, {}, 50), (make_sphere, {}, 5), (make_sphere, {"smoothing_iterations": 9}, 9),
         ):
-            found = pellucid.optimize(make_actor(make()), "focus", **parameters)
-            self.assertEqual(found.GetSmoothingIterations(), expected)
+            actor = make_actor(make())
+            for _ in range(2):  # the second time with segments
+                found = pellucid.optimize(actor, "focus", **parameters)
+                self.assertEqual(found.GetSmoothingIterations(), expected)
 
     def test_data_may_come_later(self):
         blocks = vtkMultiBlockDataSet()
@@ -328,6 +330,12 @@ class TestWarnings(unittest.TestCase):
                 function(actor, importance="speed")
             self.assertIsNone(pellucid.vtkImportanceDrivenOpacity.Get(actor))
             self.assertIs(actor.GetMapper().GetInputAlgorithm(), source)
+
+    def test_refused_actors_are_not_warned_of(self):
+        actor = make_actor(with_array(make_lines(), "speed", (1, 2, 3, 4)), vtkPolyDataMapper())
+        with warnings.catch_warnings(), self.assertRaisesRegex(TypeError, "expected a vtkTrajectoryMapper"):
+            warnings.simplefilter("error")
+            pellucid.optimize(actor, importance="speed")
 
     def test_importance_of_bits(self):
         """NumPy has no such arrays."""
