@@ -4,6 +4,7 @@
 // A mapper that several actors share, that is deleted while another window is current, that is
 // given a radius array of vectors, or blocks that move within their tree, or whose actor or block
 // gets another look.
+#include "LastShaders.h"
 #include "Picture.h"
 #include "SphereScene.h"
 
@@ -184,6 +185,26 @@ bool TestEffectsThatComeLater()
   return passed;
 }
 
+// Mesa's software renderer would compute the highlights of a specular coefficient of 0.
+bool TestNoCostWithoutHighlights()
+{
+  SphereScene scene(100, 80, 0, 0, 0);
+  vtkNew<vtkTrajectoryMapper> mapper;
+  mapper->SetInputDataObject(MakeLine());
+  vtkProperty* property = AddActor(scene, mapper, 0.0, 1.0)->GetProperty();
+  property->LightingOn();
+  const auto hasHighlights = [&]
+  {
+    const std::string shaders = GetLastShaders(scene.Renderer);
+    return shaders.find("uniform float specularIntensity") != std::string::npos ||
+      shaders.find("specularIntensity") == std::string::npos;
+  };
+  bool passed = Check(!hasHighlights(), "shaders compute highlights that nothing has");
+  property->SetSpecular(0.3);
+  passed &= Check(hasHighlights(), "shaders have no highlights");
+  return passed;
+}
+
 // Two actors of one mapper, one of them shiny, look as with mappers of their own.
 bool TestShinyActorOfSharedMapper()
 {
@@ -213,6 +234,7 @@ int TestTrajectoryMapperChanges(int, char*[])
   passed &= TestVectorsAsRadii();
   passed &= TestMovedBlock();
   passed &= TestEffectsThatComeLater();
+  passed &= TestNoCostWithoutHighlights();
   passed &= TestShinyActorOfSharedMapper();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

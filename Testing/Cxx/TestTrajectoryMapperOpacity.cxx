@@ -4,19 +4,16 @@
 // Opacity factors from a point array: pictures as the reference draws them, as VTK draws the same
 // opacities given in other ways, nothing where they are 0, no cost without them.
 #include "HelixScene.h"
+#include "LastShaders.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkElevationFilter.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkPlane.h"
 #include "vtkSelection.h"
-#include "vtkShader.h"
-#include "vtkShaderProgram.h"
 #include "vtkTestErrorObserver.h"
 
 #include <functional>
@@ -407,39 +404,17 @@ bool TestIsTranslucent()
   return passed;
 }
 
-/** The sources of the shaders that drew a scene of opaque lines. */
-std::string GetShaders(OpacityScene& scene)
-{
-  std::string sources;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&sources);
-  command->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      auto* window =
-        static_cast<vtkOpenGLRenderWindow*>(vtkRenderer::SafeDownCast(caller)->GetRenderWindow());
-      vtkShaderProgram* program = window->GetShaderCache()->GetLastShaderBound();
-      *static_cast<std::string*>(data) = program
-        ? program->GetVertexShader()->GetSource() + program->GetFragmentShader()->GetSource()
-        : "";
-    });
-  const unsigned long tag = scene.Renderer->AddObserver(vtkCommand::EndEvent, command);
-  scene.Window->Render();
-  scene.Renderer->RemoveObserver(tag);
-  return sources;
-}
-
 bool TestNoCostWithoutArray()
 {
   const vtkSmartPointer<vtkPolyData> data = MakeLines(3, 20, 0);
   data->GetPointData()->AddArray(MakeFactors(data, [](vtkIdType) { return 1.0; }));
   OpacityScene scene(data, 1.0, 0);
   scene.Mapper->SetOpacityArray(nullptr);
-  const std::string without = GetShaders(scene);
+  const std::string without = GetLastShaders(scene.Renderer);
   scene.Mapper->SetOpacityArray("Factor");
-  const std::string with = GetShaders(scene);
+  const std::string with = GetLastShaders(scene.Renderer);
   scene.Mapper->SetOpacityArray("Missing");
-  const std::string missing = GetShaders(scene);
+  const std::string missing = GetLastShaders(scene.Renderer);
   bool passed = Check(without.find("coneShape") != std::string::npos, "no shaders of cones");
   passed &= Check(with.find("nodeOpacities") != std::string::npos, "shaders without factors");
   passed &= Check(without.find("nodeOpacities") == std::string::npos && missing == without,
