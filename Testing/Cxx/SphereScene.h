@@ -62,6 +62,17 @@ struct SphereScene
     return actor;
   }
 
+  /// An opaque sphere, of a colour that 8 bits hold exactly, and a translucent one in the same
+  /// place fill the view and the depths.
+  void AddCoatedSphere()
+  {
+    this->AddSphere(0, 0.5);
+    vtkProperty* opaque = this->AddSphere(0, 1.0)->GetProperty();
+    opaque->SetColor(1.0, 0.0, 0.0);
+    opaque->LightingOff();
+    this->Renderer->ResetCamera();
+  }
+
   /// Translucent cones on a slanted grid through the spheres.
   void AddGlyphs()
   {

@@ -61,6 +61,14 @@ bool TestCoincidentSurfaces()
   return Compare(scene, "coincident surfaces");
 }
 
+// A depth buffer of integers rounds the depth that a fragment has.
+bool TestCoatedSphere()
+{
+  SphereScene scene(200, 150, 0, 0, 0);
+  scene.AddCoatedSphere();
+  return Compare(scene, "a translucent sphere where an opaque one is");
+}
+
 bool TestGlyphs()
 {
   SphereScene scene(300, 300, 0, 3, 2);
@@ -91,6 +99,7 @@ int TestExactSurfaces(int, char*[])
   passed &= TestParallelProjection();
   passed &= TestLargeCoordinates();
   passed &= TestCoincidentSurfaces();
+  passed &= TestCoatedSphere();
   passed &= TestGlyphs();
   passed &= TestManyLayers();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -11,6 +11,8 @@
 
 #include "vtkBillboardTextActor3D.h"
 #include "vtkExactTransparencyPass.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkTextProperty.h"
 #include "vtkTransparencyInstaller.h"
 
@@ -37,6 +39,27 @@ bool TestSampleCount()
   const Picture plain = Picture::Render(scene.Window);
   scene.Window->SetMultiSamples(4);
   return Check(Picture::Render(scene.Window) == plain, "other bits with more samples");
+}
+
+// Supersampling has depths of floating point, which are not rounded.
+bool TestDepthFormat()
+{
+  SphereScene scene(Width, Height, 0, 0, 0);
+  scene.AddCoatedSphere();
+  OpenGLDebugOutput debugOutput(scene.Window);
+  vtkTransparencyInstaller::Install(scene.Renderer);
+  vtkNew<vtkSSAAPass> supersampling;
+  vtkNew<vtkRenderStepsPass> steps;
+  supersampling->SetDelegatePass(steps);
+  scene.Renderer->SetPass(supersampling);
+  scene.Window->Render();
+  supersampling->ReleaseGraphicsResources(scene.Window);
+  scene.Renderer->SetPass(nullptr);
+  const Picture after = Picture::Render(scene.Window);
+  SphereScene fresh(Width, Height, 0, 0, 0);
+  fresh.AddCoatedSphere();
+  vtkTransparencyInstaller::Install(fresh.Renderer);
+  return Check(Picture::Render(fresh.Window) == after, "after another depth format");
 }
 
 bool TestLostContext()
@@ -160,6 +183,7 @@ bool TestFramesModifyNothing()
 int TestWindowChanges(int, char*[])
 {
   bool passed = TestSampleCount();
+  passed &= TestDepthFormat();
   passed &= TestLostContext();
   passed &= TestMovedRenderer();
   passed &= TestCollapsedViewport();
