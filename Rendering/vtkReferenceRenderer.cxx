@@ -184,9 +184,13 @@ void vtkReferenceRenderer::Update()
   internals.Image->AllocateScalars(VTK_DOUBLE, 4);
   internals.FragmentCounts->SetDimensions(width, height, 1);
   internals.FragmentCounts->AllocateScalars(VTK_INT, 1);
-  internals.OrderChanges->SetDimensions(width, height, 1);
-  internals.OrderChanges->AllocateScalars(VTK_DOUBLE, 3);
-  auto* changes = static_cast<double*>(internals.OrderChanges->GetScalarPointer());
+  double* changes = nullptr;
+  if (this->ComputeOrderChanges)
+  {
+    internals.OrderChanges->SetDimensions(width, height, 1);
+    internals.OrderChanges->AllocateScalars(VTK_DOUBLE, 6);
+    changes = static_cast<double*>(internals.OrderChanges->GetScalarPointer());
+  }
   auto* image = static_cast<double*>(internals.Image->GetScalarPointer());
   auto* counts = static_cast<int*>(internals.FragmentCounts->GetScalarPointer());
 
@@ -196,8 +200,13 @@ void vtkReferenceRenderer::Update()
       const vtkIdType index = static_cast<vtkIdType>(y) * width + x;
       counts[index] = static_cast<int>(pixel.GetTranslucent().size());
       pixel.Fade(opacities, smoothAttributes.empty() ? Attributes() : smoothAttributes[index]);
+      if (changes)
+      {
+        const auto change = pixel.GetOrderChange(DepthResolution);
+        std::copy_n(glm::value_ptr(change.fall), 3, changes + 6 * index);
+        std::copy_n(glm::value_ptr(change.rise), 3, changes + 6 * index + 3);
+      }
       ApplyView(this->View, this->Layer, pixel);
-      std::copy_n(glm::value_ptr(pixel.GetOrderChange(DepthResolution)), 3, changes + 3 * index);
       const Vec4 color =
         pixel.Composite(Background(this->Renderer, y, height, this->TransparentBackground));
       std::copy_n(glm::value_ptr(color), 4, image + 4 * index);
@@ -326,6 +335,7 @@ void vtkReferenceRenderer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "View: " << this->View << "\n"
      << indent << "Layer: " << this->Layer << "\n"
      << indent << "GatherScale: " << this->GatherScale << "\n"
+     << indent << "ComputeOrderChanges: " << this->ComputeOrderChanges << "\n"
      << indent << "NumberOfFragments: " << this->GetNumberOfFragments() << "\n"
      << indent << "LongestList: " << this->GetLongestList() << "\n";
 }

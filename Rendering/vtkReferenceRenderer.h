@@ -108,6 +108,14 @@ public:
   vtkGetMacro(GatherScale, int);
   ///@}
 
+  ///@{
+  /** Whether Update() computes GetOrderChanges(). Time: all pairs of fragments of a pixel that are
+   * so close; memory: 48 bytes for each pixel. Default: off. */
+  vtkSetMacro(ComputeOrderChanges, bool);
+  vtkGetMacro(ComputeOrderChanges, bool);
+  vtkBooleanMacro(ComputeOrderChanges, bool);
+  ///@}
+
   /** Render the scene as it is now. Everything below belongs to the last call; without a renderer,
    * or with a size that is not positive, it reports an error and leaves no image. */
   void Update();
@@ -122,10 +130,12 @@ public:
   vtkImageData* GetFragmentCounts();
 
   /**
-   * How much each pixel depends on an order of translucent fragments that single precision does not
-   * resolve: the most that the colour changes, in [0,1], where fragments whose window depths differ
-   * by less than 4.8e-7, eight of its steps, change places. 0 without such. RGB as VTK_DOUBLE for
-   * each pixel, bottom row first.
+   * With ComputeOrderChanges, how much each pixel depends on an order of translucent fragments that
+   * single precision does not resolve: bounds of how VIEW_PICTURE, whatever the view shows of it,
+   * changes where fragments whose window depths differ by less than 4.8e-7, eight of its steps,
+   * change places. 6 VTK_DOUBLE for each pixel, bottom row first: by how much red, green and blue
+   * may fall, in [-1,0], and by how much they may rise, in [0,1]; 0 without such fragments. Without
+   * ComputeOrderChanges, an empty image.
    */
   vtkImageData* GetOrderChanges();
 
@@ -168,6 +178,7 @@ private:
   int View = 0;
   int Layer = 1;
   int GatherScale = 1;
+  bool ComputeOrderChanges = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -194,28 +194,44 @@ public:
     return Vector4<Real>(color, 1 - transmittance) + transmittance * behind;
   }
 
+  /** By how much the colour may fall, at most 0, and rise, at least 0. */
+  struct ColorChange
+  {
+    Vector3<Real> fall = Vector3<Real>(Real(0));
+    Vector3<Real> rise = Vector3<Real>(Real(0));
+  };
+
   /**
-   * How much the colour of the pixel may change where sorted fragments that are less than
-   * `resolution` apart in depth change places: the sum over all pairs. Those of the very same depth
-   * have an order of their own.
+   * Bounds of how the colour of the pixel changes in other orders of those of its sorted fragments
+   * that are less than `resolution` apart in depth. Those of the very same depth have an order of
+   * their own.
+   *
+   * An exchange of neighbours changes the colour by the transmittance in front of both times both
+   * alphas times the difference of their colours. Any order is reached by exchanging each pair at
+   * most once, such that what was in front of the nearer one still is.
    */
-  Vector3<Real> GetOrderChange(Real resolution) const
+  ColorChange GetOrderChange(Real resolution) const
   {
     const auto& list = this->Translucent;
-    Vector3<Real> change(Real(0));
+    const Vector3<Real> none(Real(0));
+    ColorChange change;
     Real transmittance = 1;
-    for (auto front = list.begin(); front != list.end(); ++front)
+    auto behind = list.begin();
+    for (const auto& front : list)
     {
-      const Real alpha = front->color.a * front->fading;
-      for (auto back = front + 1; back != list.end() && back->depth - front->depth < resolution;
-           ++back)
+      while (behind != list.end() && !(behind->depth > front.depth))
       {
-        const Real share = back->depth == front->depth
-          ? Real(0)
-          : transmittance * alpha * back->color.a * back->fading;
-        change += share * glm::abs(Vector3<Real>(front->color) - Vector3<Real>(back->color));
+        ++behind;
       }
-      transmittance *= 1 - alpha;
+      const Real share = transmittance * front.color.a * front.fading;
+      for (auto back = behind; back != list.end() && back->depth - front.depth < resolution; ++back)
+      {
+        const Vector3<Real> difference = share * back->color.a * back->fading *
+          (Vector3<Real>(back->color) - Vector3<Real>(front.color));
+        change.fall += glm::min(difference, none);
+        change.rise += glm::max(difference, none);
+      }
+      transmittance *= 1 - front.color.a * front.fading;
     }
     return change;
   }

@@ -30,6 +30,7 @@ vtkSmartPointer<vtkReferenceRenderer> DrawReference(
   auto reference = vtkSmartPointer<vtkReferenceRenderer>::New();
   reference->SetRenderer(renderer);
   reference->SetSize(size[0], size[1]);
+  reference->ComputeOrderChangesOn();
   reference->Update();
   return reference;
 }

@@ -204,6 +204,7 @@ ExpectedPicture::ExpectedPicture(
   : Picture(std::move(picture))
   , Counts(std::move(counts))
   , Edges(this->Picture->GetNumberOfPoints(), false)
+  , Unordered(this->Edges)
 {
   CheckSameSize(this->Counts, this->Picture);
 }
@@ -230,14 +231,14 @@ void ExpectedPicture::AddDisplaced(vtkImageData* picture, vtkImageData* counts)
 void ExpectedPicture::AddOrderChanges(vtkImageData* changes)
 {
   CheckSameSize(changes, this->Picture);
-  const auto colors = vtk::DataArrayTupleRange<3>(
-    vtkDoubleArray::SafeDownCast(changes->GetPointData()->GetScalars()));
-  for (vtkIdType pixel = 0; pixel < colors.size(); ++pixel)
+  const auto bounds = GetPixels(changes);
+  for (vtkIdType pixel = 0; pixel < bounds.size(); ++pixel)
   {
-    const auto color = colors[pixel];
-    if (std::max({ color[0], color[1], color[2] }) > VisibleChange)
+    const auto change = bounds[pixel];
+    if (std::any_of(change.begin(), change.end(),
+          [](double value) { return std::abs(value) > VisibleChange; }))
     {
-      this->Edges[pixel] = true;
+      this->Unordered[pixel] = true;
     }
   }
 }
@@ -264,6 +265,7 @@ PictureError FindPictureError(vtkImageData* shown, const ExpectedPicture& expect
     const bool isEdge = expected.IsEdge(pixel);
     const bool isCovered = expected.IsCovered(pixel);
     error.EdgePixels += isEdge;
+    error.OrderPixels += expected.IsEdgeByOrder(pixel);
     error.CoveredPixels += isCovered;
     all.Add(found[pixel], wanted[pixel]);
     if (!isEdge)

@@ -44,12 +44,19 @@ public:
 
   vtkImageData* GetPicture() const { return this->Picture; }
   bool IsCovered(vtkIdType pixel) const;
-  bool IsEdge(vtkIdType pixel) const { return this->Edges[pixel]; }
+  bool IsEdge(vtkIdType pixel) const { return this->Edges[pixel] || this->Unordered[pixel]; }
+
+  /** Whether it is an edge pixel only since an order of fragments is not resolved. */
+  bool IsEdgeByOrder(vtkIdType pixel) const
+  {
+    return this->Unordered[pixel] && !this->Edges[pixel];
+  }
 
 private:
   vtkSmartPointer<vtkImageData> Picture;
   vtkSmartPointer<vtkImageData> Counts;
   std::vector<bool> Edges;
+  std::vector<bool> Unordered;
 };
 
 /** Differences of some pixels, in steps of 8 bits; NaN without pixels. */
@@ -85,6 +92,9 @@ struct PictureError : Differences
 
   vtkIdType CoveredPixels = 0;
   vtkIdType EdgePixels = 0;
+
+  /** Of these, those that are edges by the order of fragments alone. */
+  vtkIdType OrderPixels = 0;
 };
 
 /**

@@ -72,6 +72,7 @@ Json ToJson(const Row& row)
     { "max_error_all_pixels", error ? Json(error->All.Maximum) : Json() },
     { "covered_pixels", error ? Json(error->CoveredPixels) : Json() },
     { "edge_pixels", error ? Json(error->EdgePixels) : Json() },
+    { "order_pixels", error ? Json(error->OrderPixels) : Json() },
     { "skipped", row.Skipped.empty() ? Json() : Json(row.Skipped) },
     { "on_front", row.IsOnFront },
   };

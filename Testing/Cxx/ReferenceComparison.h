@@ -33,8 +33,8 @@
  * that is extrapolated beyond the edge. Such a pixel is explained when a ray displaced by 1/64
  * pixel in some direction leaves at most half of the difference, and at most 16 of 255: so no pixel
  * near which the reference does not change is explained. It is counted as a silhouette pixel and
- * not measured. So is one whose difference is not larger than what the order of fragments makes
- * that are closer in depth than single precision tells.
+ * not measured. So is one that differs, in each component, neither more nor in another direction
+ * than it does by another order of fragments that are closer in depth than single precision tells.
  *
  * Through smoothed attributes or the least opacity of a segment, such a pixel decides on others
  * too. Displacing all rays together does not show what the one and not the next does, but it shows
@@ -61,7 +61,6 @@ public:
     , Tolerance(tolerance)
   {
     const std::vector<double> reference = this->RenderReference(0.0, 0.0);
-    const std::vector<double> orderChanges = this->OrderChanges;
     std::vector<DoubtfulPixel> doubtful;
     MeanSquare picture;
     MeanSquare covered;
@@ -70,11 +69,6 @@ public:
       const double difference = this->GetDifference(reference, pixel);
       if (difference > this->Tolerance)
       {
-        if (this->GetDifference(reference, pixel, &orderChanges[3 * pixel]) <= this->Tolerance)
-        {
-          ++this->SilhouettePixels;
-          continue;
-        }
         doubtful.push_back({ pixel, difference, ColorRange(&reference[4 * pixel]) });
         continue;
       }
@@ -91,7 +85,8 @@ public:
     }
     this->RootMeanSquare = picture.GetRoot();
     this->CoveredRootMeanSquare = covered.GetRoot();
-    this->Explain(std::move(doubtful));
+    this->ExplainByOrder(reference, doubtful);
+    this->ExplainByEdges(std::move(doubtful));
   }
 
   /// Over the whole picture, and over the pixels with translucent fragments alone.
@@ -200,6 +195,29 @@ private:
     reference->Update();
   }
 
+  /// Remove what another order explains.
+  void ExplainByOrder(const std::vector<double>& colors, std::vector<DoubtfulPixel>& doubtful)
+  {
+    // Other views tell layers by their order.
+    vtkExactTransparencyPass* pass = vtkTransparencyInstaller::GetPass(this->Renderer);
+    if (doubtful.empty() || (pass && pass->GetView() != vtkExactTransparencyPass::VIEW_PICTURE))
+    {
+      return;
+    }
+    vtkNew<vtkReferenceRenderer> reference;
+    reference->ComputeOrderChangesOn();
+    this->Update(reference);
+    const std::vector<double> changes = GetValues(reference->GetOrderChanges());
+    const std::size_t all = doubtful.size();
+    doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
+                     [&](const DoubtfulPixel& pixel) {
+                       return this->GetDifference(colors, pixel.Index, &changes[6 * pixel.Index]) <=
+                         this->Tolerance;
+                     }),
+      doubtful.end());
+    this->SilhouettePixels += static_cast<vtkIdType>(all - doubtful.size());
+  }
+
   /// The reference's RGBA, with the view displaced by a part of a pixel.
   std::vector<double> RenderReference(double dx, double dy)
   {
@@ -214,7 +232,6 @@ private:
     this->Fragments = reference->GetNumberOfFragments();
     this->LongestList = reference->GetLongestList();
     this->FragmentCounts = GetValues(reference->GetFragmentCounts());
-    this->OrderChanges = GetValues(reference->GetOrderChanges());
     return GetValues(reference->GetImage());
   }
 
@@ -240,7 +257,7 @@ private:
     return uniform;
   }
 
-  /// In steps of 8 bits, but for what each component may change.
+  /// In steps of 8 bits, beyond what red, green and blue may fall and rise by.
   double GetDifference(
     const std::vector<double>& reference, std::size_t pixel, const double* changes = nullptr) const
   {
@@ -249,8 +266,10 @@ private:
     {
       // As an 8-bit picture would show it.
       const double expected = std::floor(255.0 * reference[4 * pixel + i] + 0.5);
-      const double change = changes && i < 3 ? 255.0 * changes[i] : 0.0;
-      largest = std::max(largest, std::abs(this->Shown.Rgba[4 * pixel + i] - expected) - change);
+      const double difference = this->Shown.Rgba[4 * pixel + i] - expected;
+      const double fall = changes && i < 3 ? 255.0 * changes[i] : 0.0;
+      const double rise = changes && i < 3 ? 255.0 * changes[3 + i] : 0.0;
+      largest = std::max({ largest, fall - difference, difference - rise });
     }
     return largest;
   }
@@ -278,7 +297,7 @@ private:
     return this->GetExcess(pixel, 0.5) <= this->Tolerance + 0.5;
   }
 
-  void Explain(std::vector<DoubtfulPixel> doubtful)
+  void ExplainByEdges(std::vector<DoubtfulPixel> doubtful)
   {
     const vtkIdType fragments = this->Fragments;
     const vtkIdType longest = this->LongestList;
@@ -339,7 +358,6 @@ private:
   vtkRenderer* Renderer;
   double Tolerance;
   std::vector<double> FragmentCounts; // of the last reference
-  std::vector<double> OrderChanges;   // of the same
   double RootMeanSquare = 0.0;
   double CoveredRootMeanSquare = 0.0;
   double LargestDifference = 0.0;

@@ -68,18 +68,19 @@ vtkSmartPointer<vtkImageData> MakeCounts(const Count& count, int width = Width)
   return counts;
 }
 
-// Green changes so much, in steps of 8 bits.
+// Green falls or rises so much, in steps of 8 bits.
 vtkSmartPointer<vtkImageData> MakeChanges(const Value& green)
 {
   auto changes = vtkSmartPointer<vtkImageData>::New();
   changes->SetDimensions(Width, Height, 1);
-  changes->AllocateScalars(VTK_DOUBLE, 3);
+  changes->AllocateScalars(VTK_DOUBLE, 6);
   changes->GetPointData()->GetScalars()->Fill(0.0);
   for (int y = 0; y < Height; ++y)
   {
     for (int x = 0; x < Width; ++x)
     {
-      changes->SetScalarComponentFromDouble(x, y, 0, 1, green(x, y) / 255.0);
+      const double change = green(x, y) / 255.0;
+      changes->SetScalarComponentFromDouble(x, y, 0, change < 0.0 ? 1 : 4, change);
     }
   }
   return changes;
@@ -192,10 +193,17 @@ void TestEdges(Checks& checks)
 void TestUnresolvedOrder(Checks& checks)
 {
   ExpectedPicture expected = MakeExpected(Pattern);
-  expected.AddOrderChanges(MakeChanges([](int x, int) { return x == 3 ? 0.51 : 0.49; }));
+  expected.AddOrderChanges(MakeChanges(
+    [](int x, int) {
+      return x == 3 ? 0.51 : x == 5 ? -0.51 : x % 2 == 0 ? 0.49 : -0.49;
+    }));
+  expected.AddDisplaced(
+    expected.GetPicture(), MakeCounts([](int x, int) { return x == 5 || x == 7 ? 2 : 1; }));
   const PictureError error = FindPictureError(
-    MakeShown([](int x, int y) { return x == 3 ? 0.0 : Pattern(x, y); }), expected);
-  checks.True("unresolved orders", error.EdgePixels == Height);
+    MakeShown([](int x, int y) { return x == 3 || x == 5 || x == 7 ? 0.0 : Pattern(x, y); }),
+    expected);
+  checks.True("unresolved orders and edges", error.EdgePixels == 3 * Height);
+  checks.True("unresolved orders", error.OrderPixels == Height);
   CheckDifferences(checks, "resolved orders", error, 0.0, 0.0);
 }
 

@@ -39,27 +39,31 @@ void TestLayers(Checks& checks, int layers, double alpha)
 void TestOrderChange(Checks& checks)
 {
   Pixel pixel;
-  const auto check = [&](const char* name, double resolution, double red, double green, double blue)
+  using Change = pellucid::Vector3<double>;
+  const auto check = [&](const std::string& name, double resolution, Change fall, Change rise)
   {
     pixel.Sort();
     const auto change = pixel.GetOrderChange(resolution);
-    checks.Near(std::string(name) + ", red", change.r, red, 1e-15);
-    checks.Near(std::string(name) + ", green", change.g, green, 1e-15);
-    checks.Near(std::string(name) + ", blue", change.b, blue, 1e-15);
+    for (int i = 0; i < 3; ++i)
+    {
+      checks.Near(name + ", fall", change.fall[i], fall[i], 1e-15);
+      checks.Near(name + ", rise", change.rise[i], rise[i], 1e-15);
+    }
   };
-  check("no fragment", 1.0, 0.0, 0.0, 0.0);
+  const Change none(0.0);
+  check("no fragment", 1.0, none, none);
   pixel.Add({ 0.2, Color(1, 0, 0, 0.5) }, false);
-  check("one fragment", 1.0, 0.0, 0.0, 0.0);
+  check("one fragment", 1.0, none, none);
   // The exchange changes red by 0.5 * 0.4, then blue by 0.5 * 0.4 * 0.2 * 0.5.
   pixel.Add({ 0.5, Color(0, 0, 0, 0.4) }, false);
   pixel.Add({ 0.6, Color(0, 0, 0.5, 0.2) }, false);
-  check("no pair is so close", 0.09, 0.0, 0.0, 0.0);
-  check("the nearest pair", 0.11, 0.0, 0.0, 0.02);
-  check("two pairs", 0.31, 0.2, 0.0, 0.02);
+  check("no pair is so close", 0.09, none, none);
+  check("the nearest pair", 0.11, none, Change(0, 0, 0.02));
+  check("two pairs", 0.31, Change(-0.2, 0, 0), Change(0, 0, 0.02));
   // The third may come to the front, too: 0.5 * 0.2 of red, and half of that of blue.
-  check("all pairs", 0.5, 0.3, 0.0, 0.07);
+  check("all pairs", 0.5, Change(-0.3, 0, 0), Change(0, 0, 0.07));
   pixel.Add({ 0.6, Color(0, 0.5, 0.5, 0.2) }, false);
-  check("none for equal depths", 0.11, 0.0, 0.02, 0.04);
+  check("none for equal depths", 0.11, none, Change(0, 0.02, 0.04));
 }
 
 void TestOrder(Checks& checks)

@@ -23,7 +23,7 @@ KEYS = ["scene", "method", "family", "parameter", "shape", "width", "height", "a
         "optimized", "fragments", "longest_list", "frames", "cold", "interleaved", "median_ms", "min_ms", "lower_quartile_ms",
         "upper_quartile_ms", "max_ms", "stages", "bytes", "buffer_bytes", "rmse", "max_error", "psnr",
         "ssim", "rmse_covered", "rmse_all_pixels", "max_error_all_pixels", "covered_pixels",
-        "edge_pixels", "skipped", "on_front"]
+        "edge_pixels", "order_pixels", "skipped", "on_front"]
 METHODS = ["vtk-unsorted", "vtk-weighted-blended", "vtk-dual-peeling-1", "vtk-dual-peeling-exact",
            "pellucid", "pellucid-tubes", "pellucid-optimized"]
 
@@ -124,6 +124,7 @@ class TestFiles(BenchmarkTest):
         self.assertTrue(0 < row["covered_pixels"] < 200 * 150)
         # Lines of few pixels are mostly edges: 242 of 1209 pixels.
         self.assertLess(row["edge_pixels"], 0.25 * row["covered_pixels"])
+        self.assertLess(row["order_pixels"], 0.01 * row["covered_pixels"])
         self.assertLess(row["rmse"], row["rmse_covered"])
         self.assertGreaterEqual(row["max_error_all_pixels"], row["max_error"])
 
