@@ -70,8 +70,8 @@ def make_optimization(actor, *, preset, importance, importance_range, **paramete
     optimization.SetImportanceRange(*finite_pair("importance_range", importance_range))
     _check_importance(actor, importance)
     optimization.SetImportanceArray(importance)
-    draws_lines, _ = _checked_kinds(actor.GetMapper())
-    if not draws_lines and "smoothing_iterations" not in parameters:
+    _check_kind(actor.GetMapper())
+    if not _draws_lines(actor.GetMapper()) and "smoothing_iterations" not in parameters:
         for_surfaces = vtkOpacityOptimization()
         for_surfaces.UsePreset(preset, True)
         optimization.SetSmoothingIterations(for_surfaces.GetSmoothingIterations())
@@ -81,8 +81,8 @@ def make_optimization(actor, *, preset, importance, importance_range, **paramete
 def attach_optimization(actor, optimization):
     """With segments, where the data has none."""
     mapper = actor.GetMapper()
-    draws_lines, draws_surfaces = _checked_kinds(mapper)
-    if (draws_lines or draws_surfaces) and not _has_segments(mapper):
+    draws_lines = _draws_lines(mapper)
+    if (draws_lines or _has_surfaces(mapper)) and not _has_segments(mapper):
         segments = vtkTrajectorySegments() if draws_lines else vtkSurfaceSegments()
         segments._pellucid_inserted = True
         segments.SetInputConnection(mapper.GetInputConnection(0, 0))
@@ -202,21 +202,29 @@ def _check_importance(actor, importance):
 
 
 def _has_segments(mapper):
-    return any(leaf.GetPointData().HasArray(name)
-               for leaf in leaves_of(_input(mapper)) for name in ("SegmentBase", "SegmentIds"))
+    return hasattr(mapper.GetInputAlgorithm(), "_pellucid_inserted") or any(
+        leaf.GetPointData().HasArray(name)
+        for leaf in leaves_of(_input(mapper)) for name in ("SegmentBase", "SegmentIds"))
 
 
-def _checked_kinds(mapper):
-    """Whether the mapper draws lines or points, and whether surfaces; both only with segments."""
-    leaves = leaves_of(_input(mapper))
-    draws_lines = any(leaf.GetNumberOfLines() + leaf.GetNumberOfVerts() for leaf in leaves)
-    draws_surfaces = any(leaf.GetNumberOfPolys() + leaf.GetNumberOfStrips() for leaf in leaves)
-    is_trajectory_mapper = isinstance(mapper, vtkTrajectoryMapper)
-    if not _has_segments(mapper):
-        if draws_lines and not is_trajectory_mapper:
+def _has_lines(mapper):
+    return any(leaf.GetNumberOfLines() + leaf.GetNumberOfVerts() for leaf in leaves_of(_input(mapper)))
+
+
+def _has_surfaces(mapper):
+    return any(leaf.GetNumberOfPolys() + leaf.GetNumberOfStrips() for leaf in leaves_of(_input(mapper)))
+
+
+def _draws_lines(mapper):
+    """Or points; or, as long as the data is empty, may do so."""
+    return _has_lines(mapper) or (not _has_surfaces(mapper) and isinstance(mapper, vtkTrajectoryMapper))
+
+
+def _check_kind(mapper):
+    if _has_lines(mapper) and not _has_segments(mapper):
+        if not isinstance(mapper, vtkTrajectoryMapper):
             raise TypeError("lines and points: expected a vtkTrajectoryMapper, found a "
                             f"{class_name(mapper)}; add_lines() and add_points() make one")
-        if draws_lines and draws_surfaces:
+        if _has_surfaces(mapper):
             raise ValueError("the actor has both lines or points and surfaces; give each of them an "
                              "actor of its own")
-    return draws_lines or (not draws_surfaces and is_trajectory_mapper), draws_surfaces

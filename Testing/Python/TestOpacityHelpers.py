@@ -181,6 +181,7 @@ class TestOptimize(unittest.TestCase):
             (self.actor, pellucid.vtkTrajectorySegments),
             (make_actor(make_sphere(), vtkPolyDataMapper()), pellucid.vtkSurfaceSegments),
             (make_actor(make_sphere()), pellucid.vtkSurfaceSegments),
+            (make_actor(vtkMultiBlockDataSet()), pellucid.vtkTrajectorySegments),
         ):
             mapper = actor.GetMapper()
             before = mapper.GetInputAlgorithm()
