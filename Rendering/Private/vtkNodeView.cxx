@@ -99,6 +99,7 @@ void vtkNodeView::Update(const vtkTrajectoryNodes& nodes, vtkRenderer* renderer,
     ->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   this->NearPlane = camera->GetClippingRange()[0];
   this->Parallel = camera->GetParallelProjection() != 0;
+  this->NearPlaneMeetsNodes = this->MeetsNearPlane(nodes);
 }
 
 //------------------------------------------------------------------------------
@@ -114,7 +115,7 @@ std::array<std::array<double, 3>, 4> vtkNodeView::GetCorners(double depth) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkNodeView::MayCutOpen(const vtkTrajectoryNodes& nodes) const
+bool vtkNodeView::MeetsNearPlane(const vtkTrajectoryNodes& nodes) const
 {
   vtkBoundingBox nearPlane;
   for (std::array<double, 3>& corner : this->GetCorners(-1.0))

@@ -32,7 +32,7 @@ public:
   void Update(const vtkTrajectoryNodes& nodes, vtkRenderer* renderer, vtkActor* actor);
 
   /** Whether the near plane may cut a tube or ball open. */
-  bool MayCutOpen(const vtkTrajectoryNodes& nodes) const;
+  bool MayCutOpen() const { return this->NearPlaneMeetsNodes; }
 
   /** What the shapes of groups follow from. */
   vtkNodeGroups::View GetGroupView() const;
@@ -49,6 +49,10 @@ private:
   /** The viewport's corners at a depth of clip coordinates, -1 to 1, in view coordinates. */
   std::array<std::array<double, 3>, 4> GetCorners(double depth) const;
 
+  /** Whether the near plane's part of the view meets the nodes' bounding box, in view coordinates.
+   */
+  bool MeetsNearPlane(const vtkTrajectoryNodes& nodes) const;
+
   std::array<vtkNodeGroups::Plane, 6> GetFrustum() const;
 
   vtkNew<vtkMatrix4x4> WorldToView;
@@ -58,6 +62,7 @@ private:
   std::array<float, 3> Origin{ { 0.0f, 0.0f, 0.0f } }; ///< near the eye, for nodes with remainders
   std::array<int, 4> Viewport{ { 0, 0, 1, 1 } };
   double NearPlane = 0.0;
+  bool NearPlaneMeetsNodes = false;
   bool Parallel = false;
 };
 

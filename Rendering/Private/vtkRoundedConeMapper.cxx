@@ -271,7 +271,7 @@ void vtkRoundedConeMapper::UpdateShaderVariant(vtkActor* actor)
 {
   const auto& leaves = this->Nodes->GetLeaves();
   ShaderVariant variant;
-  variant.CutOpen = this->GetNumberOfClippingPlanes() > 0 || this->View.MayCutOpen(*this->Nodes);
+  variant.CutOpen = this->GetNumberOfClippingPlanes() > 0 || this->View.MayCutOpen();
   // Stays, since shaders would be made anew in turns where actors share the mapper.
   variant.Shiny = this->Variant.Shiny || actor->GetProperty()->GetSpecular() != 0.0;
   variant.HasBlockColors = std::any_of(

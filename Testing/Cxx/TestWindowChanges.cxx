@@ -52,14 +52,17 @@ bool TestDepthFormat()
   vtkNew<vtkRenderStepsPass> steps;
   supersampling->SetDelegatePass(steps);
   scene.Renderer->SetPass(supersampling);
-  scene.Window->Render();
+  const Picture smooth = Picture::Render(scene.Window);
+  bool passed =
+    Check(smooth.GetPixel(Width / 2, Height / 2)[0] < 200, "supersampling shows no translucency");
   supersampling->ReleaseGraphicsResources(scene.Window);
   scene.Renderer->SetPass(nullptr);
   const Picture after = Picture::Render(scene.Window);
   SphereScene fresh(Width, Height, 0, 0, 0);
   fresh.AddCoatedSphere();
   vtkTransparencyInstaller::Install(fresh.Renderer);
-  return Check(Picture::Render(fresh.Window) == after, "after another depth format");
+  passed &= Check(Picture::Render(fresh.Window) == after, "after another depth format");
+  return passed;
 }
 
 bool TestLostContext()
