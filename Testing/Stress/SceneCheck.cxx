@@ -233,7 +233,6 @@ SceneChecker::SceneChecker()
 {
   vtkOutputWindow::SetInstance(this->Messages);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  this->Window->OffScreenRenderingOn();
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +244,12 @@ SceneChecker::~SceneChecker()
 //------------------------------------------------------------------------------
 void SceneChecker::PrepareWindow(const SceneDescription& scene)
 {
+  // VTK and Mesa keep all shaders of a window, some megabytes for each scene.
+  if (this->Figures.Scenes % 100 == 0)
+  {
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->OffScreenRenderingOn();
+  }
   this->Window->SetSize(scene.Width, scene.Height);
   this->Window->SetMultiSamples(scene.Samples);
   this->Window->SetAlphaBitPlanes(scene.TransparentBackground);

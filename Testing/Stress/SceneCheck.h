@@ -12,6 +12,7 @@
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -63,7 +64,7 @@ private:
   void CompareWithReference(
     const SceneDescription& scene, Frame& frame, std::vector<std::string>& problems);
 
-  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<MessageCounter> Messages;
   SceneFigures Figures;
 };
