@@ -132,10 +132,10 @@ public:
   /**
    * With ComputeOrderChanges, how much each pixel depends on an order of translucent fragments that
    * single precision does not resolve: bounds of how VIEW_PICTURE, whatever the view shows of it,
-   * changes where fragments whose window depths differ by less than 4.8e-7, eight of its steps,
-   * change places. 6 VTK_DOUBLE for each pixel, bottom row first: by how much red, green and blue
-   * may fall, in [-1,0], and by how much they may rise, in [0,1]; 0 without such fragments. Without
-   * ComputeOrderChanges, an empty image.
+   * changes where fragments whose window depths differ, but by less than 4.8e-7, eight of its
+   * steps, change places with the opacities that they have. 6 VTK_DOUBLE for each pixel, bottom row
+   * first: by how much red, green and blue may fall, in [-1,0], and by how much they may rise, in
+   * [0,1]; 0 without such fragments. Without ComputeOrderChanges, an empty image.
    */
   vtkImageData* GetOrderChanges();
 

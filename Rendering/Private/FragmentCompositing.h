@@ -208,7 +208,8 @@ public:
    *
    * An exchange of neighbours changes the colour by the transmittance in front of both times both
    * alphas times the difference of their colours. Any order is reached by exchanging each pair at
-   * most once, such that what was in front of the nearer one still is.
+   * most once, such that what was in front of the nearer one still is. What one passes hides each
+   * other, so that together they change it by no more than the largest difference.
    */
   ColorChange GetOrderChange(Real resolution) const
   {
@@ -223,15 +224,23 @@ public:
       {
         ++behind;
       }
-      const Real share = transmittance * front.color.a * front.fading;
+      ColorChange sum;
+      ColorChange largest;
       for (auto back = behind; back != list.end() && back->depth - front.depth < resolution; ++back)
       {
-        const Vector3<Real> difference = share * back->color.a * back->fading *
-          (Vector3<Real>(back->color) - Vector3<Real>(front.color));
-        change.fall += glm::min(difference, none);
-        change.rise += glm::max(difference, none);
+        const auto difference = Vector3<Real>(back->color) - Vector3<Real>(front.color);
+        const Vector3<Real> fall = glm::min(difference, none);
+        const Vector3<Real> rise = glm::max(difference, none);
+        const Real alpha = back->color.a * back->fading;
+        sum.fall += alpha * fall;
+        sum.rise += alpha * rise;
+        largest.fall = glm::min(largest.fall, fall);
+        largest.rise = glm::max(largest.rise, rise);
       }
-      transmittance *= 1 - front.color.a * front.fading;
+      const Real alpha = front.color.a * front.fading;
+      change.fall += transmittance * alpha * glm::max(sum.fall, largest.fall);
+      change.rise += transmittance * alpha * glm::min(sum.rise, largest.rise);
+      transmittance *= 1 - alpha;
     }
     return change;
   }

@@ -33,8 +33,9 @@
  * that is extrapolated beyond the edge. Such a pixel is explained when a ray displaced by 1/64
  * pixel in some direction leaves at most half of the difference, and at most 16 of 255: so no pixel
  * near which the reference does not change is explained. It is counted as a silhouette pixel and
- * not measured. So is one that differs, in each component, neither more nor in another direction
- * than it does by another order of fragments that are closer in depth than single precision tells.
+ * not measured. So is one of VIEW_PICTURE that differs, in each component, neither more nor in
+ * another direction than other orders of fragments that are closer in depth than single precision
+ * tells may change it (vtkReferenceRenderer::GetOrderChanges()).
  *
  * Through smoothed attributes or the least opacity of a segment, such a pixel decides on others
  * too. Displacing all rays together does not show what the one and not the next does, but it shows
@@ -198,7 +199,7 @@ private:
   /// Remove what another order explains.
   void ExplainByOrder(const std::vector<double>& colors, std::vector<DoubtfulPixel>& doubtful)
   {
-    // Other views tell layers by their order.
+    // The changes are those of the picture.
     vtkExactTransparencyPass* pass = vtkTransparencyInstaller::GetPass(this->Renderer);
     if (doubtful.empty() || (pass && pass->GetView() != vtkExactTransparencyPass::VIEW_PICTURE))
     {

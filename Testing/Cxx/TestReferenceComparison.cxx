@@ -153,13 +153,11 @@ bool TestUnresolvedOrder()
     "an order that single precision does not resolve is not excused");
   render(-2e-6);
   passed &= Check(squares.IsRefused(blueFirst), "an order that is resolved is excused");
-  for (const int view : { vtkExactTransparencyPass::VIEW_FIRST_LAYERS,
-         vtkExactTransparencyPass::VIEW_LAYER, vtkExactTransparencyPass::VIEW_LENGTH })
-  {
-    render(6e-7);
-    squares.GetPass()->SetView(view);
-    passed &= Check(squares.IsRefused(redFirst), "an order is excused in a view of layers");
-  }
+  // The two first layers are the same picture, but excuses are for that as a whole.
+  render(6e-7);
+  squares.GetPass()->SetView(vtkExactTransparencyPass::VIEW_FIRST_LAYERS);
+  squares.GetPass()->SetLayer(2);
+  passed &= Check(squares.IsRefused(redFirst), "an order is excused in a view of layers");
   return passed;
 }
 
@@ -172,15 +170,12 @@ bool TestLossInUnresolvedOrder()
   blue->SetPosition(0.0, 0.0, 6e-7);
   bool passed = Check(squares.IsRefused(squares.RenderWithout(blue)), "the front one is lost");
   passed &= Check(squares.IsRefused(squares.RenderWithout(red)), "the rear one is lost");
-  vtkActor* magenta = squares.Add(1.0, 0.0, 1.0);
-  for (const double offset : { -0.1, 0.1 })
+  // Behind both, and such that losing it takes from red what another order would add.
+  vtkActor* rear = squares.Add(1.0, 0.6, 1.0);
+  rear->SetPosition(0.0, 0.0, -0.1);
+  for (vtkActor* lost : { red, blue, rear })
   {
-    magenta->SetPosition(0.0, 0.0, offset);
-    magenta->GetProperty()->SetOpacity(offset > 0.0 ? 0.2 : 0.5);
-    for (vtkActor* lost : { red, blue, magenta })
-    {
-      passed &= Check(squares.IsRefused(squares.RenderWithout(lost)), "one of three is lost");
-    }
+    passed &= Check(squares.IsRefused(squares.RenderWithout(lost)), "one of three is lost");
   }
   return passed;
 }

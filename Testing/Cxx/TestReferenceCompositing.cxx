@@ -9,7 +9,10 @@
 #include "FragmentCompositing.h"
 #include "ReferenceTesting.h"
 
+#include <algorithm>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -64,6 +67,68 @@ void TestOrderChange(Checks& checks)
   check("all pairs", 0.5, Change(-0.3, 0, 0), Change(0, 0, 0.07));
   pixel.Add({ 0.6, Color(0, 0.5, 0.5, 0.2) }, false);
   check("none for equal depths", 0.11, none, Change(0, 0.02, 0.04));
+}
+
+// No order of random fragments changes the pixel by more, and two fragments change it by as much.
+void TestOrderChangeOfAllOrders(Checks& checks)
+{
+  std::mt19937 generator(11);
+  std::uniform_int_distribution<int> level(0, 4);
+  const auto composite = [](const std::vector<Fragment>& fragments)
+  {
+    Pixel pixel;
+    for (std::size_t i = 0; i < fragments.size(); ++i)
+    {
+      pixel.Add({ 0.1 * i, fragments[i].color }, false);
+    }
+    pixel.Sort();
+    return pixel.Composite(Color(0.0));
+  };
+  const double resolution = 0.5; // of depths from 0 to 0.8
+  bool isBound = true;
+  bool isReached = true;
+  for (int repeat = 0; repeat < 300; ++repeat)
+  {
+    const int count = 2 + repeat % 4;
+    Pixel pixel;
+    for (int i = 0; i < count; ++i)
+    {
+      pixel.Add({ 0.2 * level(generator) + 1e-3 * i,
+                  Color(level(generator) / 4.0, 0.0, 0.0, (1 + level(generator)) / 5.0) },
+        false);
+    }
+    pixel.Sort();
+    const std::vector<Fragment> sorted = pixel.GetTranslucent();
+    const auto change = pixel.GetOrderChange(resolution);
+    const double red = composite(sorted).r;
+    double fall = 0.0;
+    double rise = 0.0;
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    do
+    {
+      std::vector<Fragment> fragments;
+      bool isResolved = false;
+      for (auto next = order.begin(); next != order.end(); ++next)
+      {
+        fragments.push_back(sorted[*next]);
+        isResolved |= std::any_of(order.begin(), next,
+          [&](std::size_t front)
+          { return sorted[front].depth - sorted[*next].depth >= resolution; });
+      }
+      if (!isResolved)
+      {
+        fall = std::min(fall, composite(fragments).r - red);
+        rise = std::max(rise, composite(fragments).r - red);
+      }
+    } while (std::next_permutation(order.begin(), order.end()));
+    isBound &= change.fall.r <= fall + 1e-14 && change.rise.r >= rise - 1e-14 &&
+      change.fall.r >= -1.0 - 1e-14 && change.rise.r <= 1.0 + 1e-14;
+    isReached &= count > 2 ||
+      (std::abs(change.fall.r - fall) < 1e-14 && std::abs(change.rise.r - rise) < 1e-14);
+  }
+  checks.True("no order changes a pixel by more", isBound);
+  checks.True("two fragments change it by as much", isReached);
 }
 
 void TestOrder(Checks& checks)
@@ -153,6 +218,7 @@ int TestReferenceCompositing(int, char*[])
   TestLayers(checks, 100000, 1e-4);
   TestOrder(checks);
   TestOrderChange(checks);
+  TestOrderChangeOfAllOrders(checks);
   TestShuffles(checks);
   TestEqualDepths(checks);
   return checks.Result();

@@ -12,6 +12,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkExactTransparencyPass.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -219,6 +220,42 @@ void TestBackground(Checks& checks)
   checks.Near("transparent background, alpha", pixel[3], 0, 0);
 }
 
+// Of two squares that are 3.6e-7 of the depth apart, one at each of three places.
+void TestOrderChanges(Checks& checks)
+{
+  vtkNew<vtkRenderer> renderer;
+  UseParallelCamera(renderer);
+  for (const double height : { 0.0, 6.5e-6 })
+  {
+    vtkSmartPointer<vtkActor> square = MakeStack(1, 0.5);
+    square->SetPosition(0.0, 0.0, height);
+    square->GetProperty()->SetColor(height > 0.0 ? 1.0 : 0.0, 0.5, height > 0.0 ? 0.0 : 1.0);
+    renderer->AddActor(square);
+  }
+  vtkNew<vtkReferenceRenderer> reference;
+  reference->SetRenderer(renderer);
+  reference->SetSize(2, 1);
+  reference->Update();
+  vtkImageData* changes = reference->GetOrderChanges();
+  checks.True("not asked for", changes->GetNumberOfPoints() == 0);
+  reference->ComputeOrderChangesOn();
+  const double expected[6] = { -0.25, 0.0, 0.0, 0.0, 0.0, 0.25 };
+  for (const int view : { vtkExactTransparencyPass::VIEW_PICTURE,
+         vtkExactTransparencyPass::VIEW_LENGTH, vtkExactTransparencyPass::VIEW_LAYER })
+  {
+    reference->SetView(view);
+    reference->Update();
+    for (int i = 0; i < 6; ++i)
+    {
+      checks.Near("view " + std::to_string(view) + ", change " + std::to_string(i),
+        changes->GetScalarComponentAsDouble(1, 0, 0, i), expected[i], 1e-12);
+    }
+  }
+  reference->ComputeOrderChangesOff();
+  reference->Update();
+  checks.True("no longer asked for", changes->GetNumberOfPoints() == 0);
+}
+
 void TestOmissions(Checks& checks)
 {
   vtkNew<vtkPoints> points;
@@ -325,6 +362,7 @@ int TestReferenceRenderer(int, char*[])
   TestSharedEdges(checks);
   TestSameBits(checks);
   TestBackground(checks);
+  TestOrderChanges(checks);
   TestOmissions(checks);
   TestShortOpacityArray(checks);
   TestErrors(checks);
