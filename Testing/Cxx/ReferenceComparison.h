@@ -84,6 +84,7 @@ public:
         }
       }
     }
+    this->FewestDifferences = static_cast<vtkIdType>(doubtful.size());
     this->RootMeanSquare = picture.GetRoot();
     this->CoveredRootMeanSquare = covered.GetRoot();
     this->ExplainByOrder(reference, doubtful);
@@ -95,15 +96,46 @@ public:
   double GetRootMeanSquare() const { return this->RootMeanSquare; }
   double GetLargestDifference() const { return this->LargestDifference; }
   vtkIdType GetSilhouettePixels() const { return this->SilhouettePixels; }
+  /// Pixels that differ from the reference, or from that with displaced rays which has the fewest.
+  /// Where one pixel decides on many, these are silhouette pixels all, and yet few are here.
+  vtkIdType GetFewestDifferences() const { return this->FewestDifferences; }
   vtkIdType GetUnexplainedPixels() const { return this->UnexplainedPixels; }
   /// Of the unexplained ones.
   vtkIdType GetDependentPixels() const { return this->DependentPixels; }
   vtkIdType GetNumberOfFragments() const { return this->Fragments; }
   vtkIdType GetLongestList() const { return this->LongestList; }
 
+  /// Print what the first unexplained pixels show, and the fragments of the reference there.
+  void DescribeUnexplained() const
+  {
+    vtkNew<vtkReferenceRenderer> reference;
+    this->Update(reference);
+    for (std::size_t i = 0; i < std::min<std::size_t>(this->Unexplained.size(), 5); ++i)
+    {
+      const int x = static_cast<int>(this->Unexplained[i] % this->Shown.Width);
+      const int y = static_cast<int>(this->Unexplained[i] / this->Shown.Width);
+      const unsigned char* shown = this->Shown.GetPixel(x, y);
+      std::cout << "unexplained pixel " << x << " " << y << ": shown " << int(shown[0]) << " "
+                << int(shown[1]) << " " << int(shown[2]) << ", expected";
+      for (int component = 0; component < 3; ++component)
+      {
+        std::cout << " "
+                  << 255.0 * reference->GetImage()->GetScalarComponentAsDouble(x, y, 0, component);
+      }
+      std::cout << std::endl;
+      vtkNew<vtkTable> fragments;
+      reference->GetPixelFragments(x, y, fragments);
+      fragments->Dump(20);
+    }
+  }
+
   /// Print the figures and check them against the rounding limit of an 8-bit picture.
   bool Passes(const std::string& scene, double largestSilhouettePart = 0.001) const
   {
+    if (this->UnexplainedPixels > 0)
+    {
+      this->DescribeUnexplained();
+    }
     const double part =
       static_cast<double>(this->SilhouettePixels) / (this->Shown.Width * this->Shown.Height);
     std::cout << scene << ": RMSE " << this->RootMeanSquare << ", under fragments "
@@ -182,7 +214,7 @@ private:
   static constexpr double SilhouetteTolerance = 16.0;
 
   /// Render what the pass of the renderer shows, if it has one.
-  void Update(vtkReferenceRenderer* reference)
+  void Update(vtkReferenceRenderer* reference) const
   {
     reference->SetRenderer(this->Renderer);
     reference->SetSize(this->Shown.Width, this->Shown.Height);
@@ -275,6 +307,16 @@ private:
     return largest;
   }
 
+  vtkIdType CountDifferences(const std::vector<double>& reference) const
+  {
+    vtkIdType count = 0;
+    for (std::size_t pixel = 0; pixel < reference.size() / 4; ++pixel)
+    {
+      count += this->GetDifference(reference, pixel) > this->Tolerance;
+    }
+    return count;
+  }
+
   /// In steps of 8 bits.
   double GetExcess(const DoubtfulPixel& pixel, double margin) const
   {
@@ -313,6 +355,8 @@ private:
       }
       const std::vector<double> reference =
         this->RenderReference(step * direction[0], step * direction[1]);
+      this->FewestDifferences =
+        std::min(this->FewestDifferences, this->CountDifferences(reference));
       for (DoubtfulPixel& pixel : doubtful)
       {
         pixel.Range.Add(&reference[4 * pixel.Index]);
@@ -327,31 +371,12 @@ private:
                      [this](const DoubtfulPixel& pixel) { return this->IsDependent(pixel); }),
       doubtful.end());
     this->DependentPixels = this->UnexplainedPixels - static_cast<vtkIdType>(doubtful.size());
-    for (std::size_t i = 0; i < std::min<std::size_t>(doubtful.size(), 5); ++i)
+    for (const DoubtfulPixel& pixel : doubtful)
     {
-      this->Describe(doubtful[i].Index);
+      this->Unexplained.push_back(pixel.Index);
     }
     this->Fragments = fragments;
     this->LongestList = longest;
-  }
-
-  void Describe(std::size_t pixel)
-  {
-    const int x = static_cast<int>(pixel % this->Shown.Width);
-    const int y = static_cast<int>(pixel / this->Shown.Width);
-    vtkNew<vtkReferenceRenderer> reference;
-    this->Update(reference);
-    vtkNew<vtkTable> fragments;
-    reference->GetPixelFragments(x, y, fragments);
-    const unsigned char* shown = this->Shown.GetPixel(x, y);
-    std::cout << "unexplained pixel " << x << " " << y << ": shown " << int(shown[0]) << " "
-              << int(shown[1]) << " " << int(shown[2]) << ", expected";
-    for (int i = 0; i < 3; ++i)
-    {
-      std::cout << " " << 255.0 * reference->GetImage()->GetScalarComponentAsDouble(x, y, 0, i);
-    }
-    std::cout << std::endl;
-    fragments->Dump(20);
   }
 
   Picture Shown;
@@ -363,8 +388,10 @@ private:
   double CoveredRootMeanSquare = 0.0;
   double LargestDifference = 0.0;
   vtkIdType SilhouettePixels = 0;
+  vtkIdType FewestDifferences = 0;
   vtkIdType DependentPixels = 0;
   vtkIdType UnexplainedPixels = 0;
+  std::vector<std::size_t> Unexplained; // but for the dependent ones
   vtkIdType Fragments = 0;
   vtkIdType LongestList = 0;
 };

@@ -35,6 +35,7 @@ struct SceneFigures
   vtkIdType ComparedPixels = 0;
   vtkIdType SilhouettePixels = 0;
   vtkIdType DependentPixels = 0; ///< on silhouette pixels
+  vtkIdType SliverPixels = 0;    ///< that no displaced ray explains
   vtkIdType Fragments = 0;
   vtkIdType LongestList = 0;
   vtkIdType OptimizedScenes = 0;
