@@ -27,6 +27,7 @@
 
 #include <array>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -311,9 +312,14 @@ int TestSoak(int argc, char* argv[])
 {
   CLI::App application("Changes without end");
   application.allow_extras();
-  int frames = 10 * FramesPerRound;
   bool leaks = false;
-  application.add_option("--frames", frames, "Frames to draw, in each of three windows")
+  constexpr int fewest = 10 * FramesPerRound; // below, what rounds differ by looks like growth
+  int frames = fewest;
+  application
+    .add_option("--frames", frames,
+      "Frames to draw, in each of three windows, in whole rounds of " +
+        std::to_string(FramesPerRound))
+    ->check(CLI::Range(fewest, std::numeric_limits<int>::max()))
     ->capture_default_str();
   application.add_flag("--leak", leaks, "Lose a small buffer in each frame, to see it found");
   CLI11_PARSE(application, argc, argv);
@@ -323,7 +329,7 @@ int TestSoak(int argc, char* argv[])
   RoundEnd first;
   std::vector<double> allocated;
   std::vector<double> resident;
-  const int rounds = std::max(frames / FramesPerRound, WarmUpRounds + 2);
+  const int rounds = (frames + FramesPerRound - 1) / FramesPerRound;
   for (int round = 0; round < rounds && passed; ++round)
   {
     RoundEnd end = soak.DrawRound();
