@@ -47,8 +47,8 @@
  * of a list weighs less than 1/8192, a thirtieth of an 8-bit step.
  *
  * Choices. Each was measured beside others on Mesa's software renderer; Testing/Benchmark/README.md
- * has the figures, by which one that is never the best has been left out. None was measured on a
- * GPU.
+ * has the figures of stores, sorts and formats, by which one that is never the best has been left
+ * out. None was measured on a GPU.
  * - Store: linked lists. Arrays of the right length need the geometry twice, which took 1.4 to 2.0
  * times as long in the median, to save 4 bytes of 16 for each fragment.
  * - Sort, by the length of each list: up to 16 fragments by insertion, more by merging runs of 16,

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 namespace pellucid
 {
@@ -78,7 +79,8 @@ void AddChoices(CLI::App& app, BenchmarkOptions& options)
   const auto append = [](std::vector<std::string>& list)
   { return [&list](const std::string& text) { list.push_back(text); }; };
   group.AddRepeatable("--scene", append(options.Scenes), "NAME",
-    "Scene to draw, or a pattern with * and ? for those that --list names; default: a selection");
+    "Scene to draw, or a pattern with * and ? for those that --list names; default: " +
+      CLI::detail::join(UsualScenes, ", "));
   group.AddRepeatable("--method", append(options.Methods), "NAME",
     "Method to measure, or a pattern; default: all; with --scaling: pellucid");
   group.AddRepeatable(
@@ -115,6 +117,44 @@ void CheckPlot(const BenchmarkOptions& options, bool skipsErrors)
   {
     Refuse(
       "--plot", "errors of scenes to draw", options.MeasuresScaling ? "--scaling" : "--no-errors");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Options that would have no effect beside that one.
+void Exclude(CLI::App& app, const std::string& name, const std::vector<std::string>& others)
+{
+  for (const std::string& other : others)
+  {
+    app.get_option(name)->excludes(app.get_option(other));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExcludeAll(CLI::App& app, const std::string& name, const std::string& exception)
+{
+  for (const CLI::Option* option : app.get_options())
+  {
+    const std::string other = option->get_name();
+    if (other != name && other != exception && other != "--help")
+    {
+      Exclude(app, name, { other });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A file that another result would replace.
+void CheckFileNames(const BenchmarkOptions& options)
+{
+  std::set<std::string> names;
+  for (const std::string* name :
+    { &options.JsonFile, &options.CsvFile, &options.TableFile, &options.PlotFile })
+  {
+    if (!name->empty() && !names.insert(*name).second)
+    {
+      Refuse("--json, --csv, --table, --plot", "a file of its own for each", *name);
+    }
   }
 }
 
@@ -178,10 +218,18 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
     "Fragments of the largest picture; default 1e8");
   scaling.AddNumber("--largest-segments", options.Limits.Segments, 1e3, 1e8, "N",
     "Segments of the largest data; default 1e7");
+  Exclude(app, "--scaling", { "--scene", "--size", "--alpha", "--quick", "--interleave" });
+  for (const char* limit : { "--largest-fragments", "--largest-segments" })
+  {
+    app.get_option(limit)->needs(app.get_option("--scaling"));
+  }
+  ExcludeAll(app, "--record", "");
+  ExcludeAll(app, "--list", "--data");
   try
   {
     app.parse(argc, argv);
     CheckPlot(options, skipsErrors);
+    CheckFileNames(options);
   }
   catch (const CLI::Success& success)
   {

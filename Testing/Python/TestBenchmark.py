@@ -104,6 +104,8 @@ class TestFiles(BenchmarkTest):
         table = files[1].read_text()
         for method in rows:
             self.assertIn(method, table)
+        left_out = 100 * exact["edge_pixels"] / exact["covered_pixels"]
+        self.assertRegex(table, rf"\| \**pellucid\** \|.*\| {left_out:.1f} \|\n")
         picture = read_png(files[2])
         self.assertGreater(picture.shape[1], 600)
         self.assertGreater(len({tuple(pixel) for pixel in picture.reshape(-1, 3)}), 10)
@@ -319,6 +321,42 @@ class TestRecord(BenchmarkTest):
         table = text.split("<!-- record -->\n")[1].split("<!-- end of record -->\n")[0]
         self.assertEqual(self.record(FOLDER / "Results" / "llvmpipe.json"), table)
 
+    def test_lines(self):
+        """The table of the README of all is that of its results, and so are the ratios below it."""
+        rows = {(row["scene"], row["method"]): row
+                for row in json.loads((FOLDER / "Results" / "lines.json").read_text())["rows"]}
+        text = (FOLDER.parent.parent / "README.md").read_text()
+        table, below = text.split("<!-- lines -->\n")[1].split("<!-- end of lines -->\n")
+        methods = ["vtk-weighted-blended", "vtk-dual-peeling-exact", "pellucid-tubes", "pellucid"]
+        expected = [("tubes", method) for method in methods] + [("tubes", "pellucid-optimized")]
+        expected += [("abc", method) for method in methods]
+        lines = [line.split(" | ") for line in table.splitlines()[2:]]
+        self.assertEqual(len(lines), len(expected))
+        for line, (scene, method) in zip(lines, expected):
+            numbers = [row[key] for row in (rows[f"{scene}-1000", method], rows[f"{scene}-5000", method])
+                       for key in ("median_ms", "rmse_covered", "max_error")]
+            cells = [f"{number:.{digits}f}" for number, digits in zip(numbers, (0, 2, 0) * 2)]
+            self.assertEqual(line[1:], cells[:-1] + [cells[-1] + " |"], line[0])
+        ratios = []
+        for scene in ("tubes", "abc"):
+            for method in ("pellucid", "pellucid-tubes"):
+                ratios += [round(rows[f"{scene}-{count}", "vtk-dual-peeling-exact"]["median_ms"] /
+                                 rows[f"{scene}-{count}", method]["median_ms"]) for count in (1000, 5000)]
+        pairs = re.findall(r"(\d+)\s+and\s+(\d+)\s+times", below.split("![")[0])
+        self.assertEqual([int(number) for pair in pairs for number in pair], ratios)
+
+    def test_scaling_tables(self):
+        text = (FOLDER / "README.md").read_text()
+        for series in json.loads((FOLDER / "Results" / "scaling.json").read_text())["scaling"]:
+            self.assertIn(f"over {series['over']}: exponent of time {series['time_exponent']:.2f}, of memory "
+                          f"{series['memory_exponent']:.2f}.", text)
+            for row in series["rows"]:
+                digits = 2 if row["median_ms"] < 10 else 1 if row["median_ms"] < 100 else 0
+                self.assertIn(
+                    f"| {row['width']}x{row['height']} | {row['segments']} | {row['fragments']} | "
+                    f"{row['longest_list']} | {row['median_ms']:.{digits}f} | {row['buffer_bytes'] / 2**20:.1f} |\n",
+                    text)
+
     def test_refusals(self):
         absent = self.folder / "absent.json"
         self.refuse(1, "absent.json: cannot be read", "--record", absent)
@@ -352,6 +390,13 @@ class TestRefusals(BenchmarkTest):
             ("--interleave: expected a whole number", "--interleave", "few"),
             ("--largest-fragments: expected", "--scaling", "--largest-fragments", "10"),
             ("--largest-segments: expected", "--scaling", "--largest-segments", "1e12"),
+            ("--scene excludes --scaling", "--scaling", "--scene", "abc-100"),
+            ("--quick excludes --scaling", "--quick", "--scaling"),
+            ("--largest-segments requires --scaling", "--largest-segments", "1e4"),
+            ("--quick excludes --record", "--record", "a.json", "--quick"),
+            ("--json excludes --list", "--list", "--json", "a.json"),
+            ("--json, --csv, --table, --plot: expected a file of its own for each, found 'a.csv'",
+             "--json", "a.csv", "--csv", "a.csv"),
             ("--colour", "--colour", "red"),
         ):
             with self.subTest(text):
