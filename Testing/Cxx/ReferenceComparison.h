@@ -96,8 +96,9 @@ public:
   double GetRootMeanSquare() const { return this->RootMeanSquare; }
   double GetLargestDifference() const { return this->LargestDifference; }
   vtkIdType GetSilhouettePixels() const { return this->SilhouettePixels; }
-  /// Pixels that differ from the reference, or from that with displaced rays which has the fewest.
-  /// Where one pixel decides on many, these are silhouette pixels all, and yet few are here.
+  /// Pixels that differ from the reference, or from that with displaced rays which has the fewest;
+  /// of the displacements until all is explained. Where one pixel decides on many, these are
+  /// silhouette pixels all, and yet few are here.
   vtkIdType GetFewestDifferences() const { return this->FewestDifferences; }
   vtkIdType GetUnexplainedPixels() const { return this->UnexplainedPixels; }
   /// Of the unexplained ones.

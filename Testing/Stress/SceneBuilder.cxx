@@ -511,14 +511,10 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(const SceneDescription& scene, BuildOr
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   std::vector<PropDescription> props = scene.Props;
-  // At samples beside the centre of a pixel, depths are extrapolated, beyond other surfaces too.
-  const bool movesDepths = !KeepsDepths(scene) || scene.Samples > 0;
-  // Segments of one depth, colour and importance are told apart by their numbers.
+  // Of opaque fragments of one depth OpenGL shows the last. Segments of one depth, colour and
+  // importance are told apart by their numbers.
   const auto needsOrder = [&](const PropDescription& prop)
-  {
-    return (IsOpaque(prop) && movesDepths) ||
-      (prop.Method == "optimization" && !KeepsDepths(scene));
-  };
+  { return IsOpaque(prop) || (prop.Method == "optimization" && !KeepsDepths(scene)); };
   const auto fixed = std::stable_partition(props.begin(), props.end(), needsOrder);
   if (order == BuildOrder::Shuffled)
   {
