@@ -110,18 +110,7 @@ void AddChoices(CLI::App& app, BenchmarkOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// A plot without errors of scenes would be empty.
-void CheckPlot(const BenchmarkOptions& options, bool skipsErrors)
-{
-  if (!options.PlotFile.empty() && (options.MeasuresScaling || skipsErrors))
-  {
-    Refuse(
-      "--plot", "errors of scenes to draw", options.MeasuresScaling ? "--scaling" : "--no-errors");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Options that would have no effect beside that one.
+// Options that would have no effect beside that one, or show nothing.
 void Exclude(CLI::App& app, const std::string& name, const std::vector<std::string>& others)
 {
   for (const std::string& other : others)
@@ -218,7 +207,10 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
     "Fragments of the largest picture; default 1e8");
   scaling.AddNumber("--largest-segments", options.Limits.Segments, 1e3, 1e8, "N",
     "Segments of the largest data; default 1e7");
-  Exclude(app, "--scaling", { "--scene", "--size", "--alpha", "--quick", "--interleave" });
+  Exclude(app, "--scaling",
+    { "--scene", "--size", "--alpha", "--quick", "--interleave", "--data", "--no-errors",
+      "--plot" });
+  Exclude(app, "--no-errors", { "--plot" });
   for (const char* limit : { "--largest-fragments", "--largest-segments" })
   {
     app.get_option(limit)->needs(app.get_option("--scaling"));
@@ -228,7 +220,6 @@ BenchmarkOptions ParseCommandLine(int argc, char* argv[], std::optional<int>& ex
   try
   {
     app.parse(argc, argv);
-    CheckPlot(options, skipsErrors);
     CheckFileNames(options);
   }
   catch (const CLI::Success& success)

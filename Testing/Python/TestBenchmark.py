@@ -28,6 +28,10 @@ METHODS = ["vtk-unsorted", "vtk-weighted-blended", "vtk-dual-peeling-1", "vtk-du
            "pellucid", "pellucid-tubes", "pellucid-optimized"]
 
 
+def read_results(name):
+    return json.loads((FOLDER / "Results" / f"{name}.json").read_text())
+
+
 class BenchmarkTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -323,8 +327,7 @@ class TestRecord(BenchmarkTest):
 
     def test_lines(self):
         """The table of the README of all is that of its results, and so are the ratios below it."""
-        rows = {(row["scene"], row["method"]): row
-                for row in json.loads((FOLDER / "Results" / "lines.json").read_text())["rows"]}
+        rows = {(row["scene"], row["method"]): row for row in read_results("lines")["rows"]}
         text = (FOLDER.parent.parent / "README.md").read_text()
         table, below = text.split("<!-- lines -->\n")[1].split("<!-- end of lines -->\n")
         methods = ["vtk-weighted-blended", "vtk-dual-peeling-exact", "pellucid-tubes", "pellucid"]
@@ -333,6 +336,7 @@ class TestRecord(BenchmarkTest):
         lines = [line.split(" | ") for line in table.splitlines()[2:]]
         self.assertEqual(len(lines), len(expected))
         for line, (scene, method) in zip(lines, expected):
+            self.assertEqual("VTK" in line[0], method.startswith("vtk"))
             numbers = [row[key] for row in (rows[f"{scene}-1000", method], rows[f"{scene}-5000", method])
                        for key in ("median_ms", "rmse_covered", "max_error")]
             cells = [f"{number:.{digits}f}" for number, digits in zip(numbers, (0, 2, 0) * 2)]
@@ -345,17 +349,38 @@ class TestRecord(BenchmarkTest):
         pairs = re.findall(r"(\d+)\s+and\s+(\d+)\s+times", below.split("![")[0])
         self.assertEqual([int(number) for pair in pairs for number in pair], ratios)
 
+    def test_errors(self):
+        rows = {(row["scene"], row["method"]): row for row in read_results("errors")["rows"]}
+        table = self.read_table("errors")
+        self.assertGreater(len(table), 8)
+        for line in table[2:]:
+            row = rows[line.split("`")[1], "pellucid"]
+            self.assertEqual(line, f"| `{row['scene']}` | {row['covered_pixels']} | {row['edge_pixels']} | "
+                             f"{row['order_pixels']} | {row['rmse_covered']:.3f} | {row['max_error']:.0f} | "
+                             f"{row['rmse_all_pixels']:.2f} |")
+        for row in rows.values():
+            self.assertLessEqual(row["rmse_covered"], 0.30)
+        above = [(name, row["max_error"]) for name, row in rows.items() if row["max_error"] > 1]
+        self.assertEqual(above, [(("abc-10000", "pellucid-tubes"), 2)])
+
     def test_scaling_tables(self):
-        text = (FOLDER / "README.md").read_text()
-        for series in json.loads((FOLDER / "Results" / "scaling.json").read_text())["scaling"]:
-            self.assertIn(f"over {series['over']}: exponent of time {series['time_exponent']:.2f}, of memory "
-                          f"{series['memory_exponent']:.2f}.", text)
+        expected = []
+        for series in read_results("scaling")["scaling"]:
+            expected += [f"`{series['method']}` over {series['over']}: exponent of time "
+                         f"{series['time_exponent']:.2f}, of memory {series['memory_exponent']:.2f}.", "",
+                         "| window | segments | fragments | longest list | ms | MiB |",
+                         "| --- | --- | --- | --- | --- | --- |"]
             for row in series["rows"]:
                 digits = 2 if row["median_ms"] < 10 else 1 if row["median_ms"] < 100 else 0
-                self.assertIn(
-                    f"| {row['width']}x{row['height']} | {row['segments']} | {row['fragments']} | "
-                    f"{row['longest_list']} | {row['median_ms']:.{digits}f} | {row['buffer_bytes'] / 2**20:.1f} |\n",
-                    text)
+                expected.append(f"| {row['width']}x{row['height']} | {row['segments']} | {row['fragments']} | "
+                                f"{row['longest_list']} | {row['median_ms']:.{digits}f} | "
+                                f"{row['buffer_bytes'] / 2**20:.1f} |")
+            expected.append("")
+        self.assertEqual(self.read_table("scaling"), expected[:-1])
+
+    def read_table(self, name):
+        text = (FOLDER / "README.md").read_text()
+        return text.split(f"<!-- {name} -->\n")[1].split(f"<!-- end of {name} -->\n")[0].splitlines()
 
     def test_refusals(self):
         absent = self.folder / "absent.json"
@@ -383,9 +408,8 @@ class TestRefusals(BenchmarkTest):
             ("--frames: expected a whole number", "--frames", "0"),
             ("--budget: expected a number of at least 0", "--budget", "-1"),
             ("--plot: expected a file name ending in .png, found 'plot.pdf'", "--plot", "plot.pdf"),
-            ("--plot: expected errors of scenes to draw, found '--scaling'", "--plot", "a.png", "--scaling"),
-            ("--plot: expected errors of scenes to draw, found '--no-errors'", "--plot", "a.png",
-             "--no-errors"),
+            ("--plot excludes --scaling", "--plot", "a.png", "--scaling"),
+            ("--plot excludes --no-errors", "--plot", "a.png", "--no-errors"),
             ("--memory: expected a number of at least 0", "--memory", "-1"),
             ("--interleave: expected a whole number", "--interleave", "few"),
             ("--largest-fragments: expected", "--scaling", "--largest-fragments", "10"),
