@@ -11,6 +11,7 @@
 #include "Picture.h"
 #include "SceneBuilder.h"
 
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkMapper.h"
@@ -156,7 +157,15 @@ private:
 
   vtkActor* GetLines()
   {
-    return vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0));
+    vtkActorCollection* actors = this->Renderer->GetActors();
+    vtkCollectionSimpleIterator cookie;
+    actors->InitTraversal(cookie);
+    vtkActor* actor = actors->GetNextActor(cookie);
+    while (!vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(actor)))
+    {
+      actor = actors->GetNextActor(cookie);
+    }
+    return actor;
   }
 
   void ReplaceLines(const PropDescription& prop)
