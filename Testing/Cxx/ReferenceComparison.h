@@ -100,21 +100,25 @@ public:
   /// of the displacements until all is explained. Where one pixel decides on many, these are
   /// silhouette pixels all, and yet few are here.
   vtkIdType GetFewestDifferences() const { return this->FewestDifferences; }
-  vtkIdType GetUnexplainedPixels() const { return this->UnexplainedPixels; }
+  vtkIdType GetUnexplainedPixels() const
+  {
+    return this->DependentPixels + static_cast<vtkIdType>(this->Independent.size());
+  }
   /// Of the unexplained ones.
   vtkIdType GetDependentPixels() const { return this->DependentPixels; }
   vtkIdType GetNumberOfFragments() const { return this->Fragments; }
   vtkIdType GetLongestList() const { return this->LongestList; }
 
-  /// Print what the first unexplained pixels show, and the fragments of the reference there.
+  /// Print what the first unexplained pixels show, but for the dependent ones, and the fragments of
+  /// the reference there.
   void DescribeUnexplained() const
   {
     vtkNew<vtkReferenceRenderer> reference;
     this->Update(reference);
-    for (std::size_t i = 0; i < std::min<std::size_t>(this->Unexplained.size(), 5); ++i)
+    for (std::size_t i = 0; i < std::min<std::size_t>(this->Independent.size(), 5); ++i)
     {
-      const int x = static_cast<int>(this->Unexplained[i] % this->Shown.Width);
-      const int y = static_cast<int>(this->Unexplained[i] / this->Shown.Width);
+      const int x = static_cast<int>(this->Independent[i] % this->Shown.Width);
+      const int y = static_cast<int>(this->Independent[i] / this->Shown.Width);
       const unsigned char* shown = this->Shown.GetPixel(x, y);
       std::cout << "unexplained pixel " << x << " " << y << ": shown " << int(shown[0]) << " "
                 << int(shown[1]) << " " << int(shown[2]) << ", expected";
@@ -133,7 +137,7 @@ public:
   /// Print the figures and check them against the rounding limit of an 8-bit picture.
   bool Passes(const std::string& scene, double largestSilhouettePart = 0.001) const
   {
-    if (this->UnexplainedPixels > 0)
+    if (!this->Independent.empty())
     {
       this->DescribeUnexplained();
     }
@@ -142,7 +146,7 @@ public:
     std::cout << scene << ": RMSE " << this->RootMeanSquare << ", under fragments "
               << this->CoveredRootMeanSquare << ", maximum " << this->LargestDifference
               << " of 255, " << this->SilhouettePixels << " silhouette pixels, "
-              << this->UnexplainedPixels << " unexplained, " << this->Fragments
+              << this->GetUnexplainedPixels() << " unexplained, " << this->Fragments
               << " fragments, longest list " << this->LongestList << std::endl;
     // Rounding alone is 0.289 for a distribution of colours, up to 0.5 for a single one. Single
     // precision adds a little where the shading is steep.
@@ -151,7 +155,8 @@ public:
       scene + ": the RMSE of the picture is not that of rounding");
     passed &= Check(this->CoveredRootMeanSquare <= this->Tolerance * (uniform ? 0.5 : 0.33),
       scene + ": the RMSE under fragments is not that of rounding");
-    passed &= Check(this->UnexplainedPixels == 0, scene + ": pixels differ without explanation");
+    passed &=
+      Check(this->GetUnexplainedPixels() == 0, scene + ": pixels differ without explanation");
     passed &= Check(part <= largestSilhouettePart, scene + ": too many silhouette pixels");
     return passed;
   }
@@ -229,6 +234,16 @@ private:
     reference->Update();
   }
 
+  /// How many there were.
+  template <typename Predicate>
+  static vtkIdType Remove(std::vector<DoubtfulPixel>& pixels, Predicate isExplained)
+  {
+    const auto end = std::remove_if(pixels.begin(), pixels.end(), isExplained);
+    const auto count = static_cast<vtkIdType>(pixels.end() - end);
+    pixels.erase(end, pixels.end());
+    return count;
+  }
+
   /// Remove what another order explains.
   void ExplainByOrder(const std::vector<double>& colors, std::vector<DoubtfulPixel>& doubtful)
   {
@@ -242,14 +257,11 @@ private:
     reference->ComputeOrderChangesOn();
     this->Update(reference);
     const std::vector<double> changes = GetValues(reference->GetOrderChanges());
-    const std::size_t all = doubtful.size();
-    doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                     [&](const DoubtfulPixel& pixel) {
-                       return this->GetDifference(colors, pixel.Index, &changes[6 * pixel.Index]) <=
-                         this->Tolerance;
-                     }),
-      doubtful.end());
-    this->SilhouettePixels += static_cast<vtkIdType>(all - doubtful.size());
+    this->SilhouettePixels += Remove(doubtful,
+      [&](const DoubtfulPixel& pixel) {
+        return this->GetDifference(colors, pixel.Index, &changes[6 * pixel.Index]) <=
+          this->Tolerance;
+      });
   }
 
   /// The reference's RGBA, with the view displaced by a part of a pixel.
@@ -346,7 +358,6 @@ private:
     const vtkIdType fragments = this->Fragments;
     const vtkIdType longest = this->LongestList;
     const double step = 1.0 / 64.0;
-    const std::size_t all = doubtful.size();
     for (const auto& direction : { std::array<int, 2>{ 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 },
            { 1, 1 }, { -1, -1 }, { 1, -1 }, { -1, 1 } })
     {
@@ -362,19 +373,14 @@ private:
       {
         pixel.Range.Add(&reference[4 * pixel.Index]);
       }
-      doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                       [this](const DoubtfulPixel& pixel) { return this->IsSilhouette(pixel); }),
-        doubtful.end());
+      this->SilhouettePixels +=
+        Remove(doubtful, [this](const DoubtfulPixel& pixel) { return this->IsSilhouette(pixel); });
     }
-    this->SilhouettePixels += static_cast<vtkIdType>(all - doubtful.size());
-    this->UnexplainedPixels = static_cast<vtkIdType>(doubtful.size());
-    doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                     [this](const DoubtfulPixel& pixel) { return this->IsDependent(pixel); }),
-      doubtful.end());
-    this->DependentPixels = this->UnexplainedPixels - static_cast<vtkIdType>(doubtful.size());
+    this->DependentPixels =
+      Remove(doubtful, [this](const DoubtfulPixel& pixel) { return this->IsDependent(pixel); });
     for (const DoubtfulPixel& pixel : doubtful)
     {
-      this->Unexplained.push_back(pixel.Index);
+      this->Independent.push_back(pixel.Index);
     }
     this->Fragments = fragments;
     this->LongestList = longest;
@@ -391,8 +397,7 @@ private:
   vtkIdType SilhouettePixels = 0;
   vtkIdType FewestDifferences = 0;
   vtkIdType DependentPixels = 0;
-  vtkIdType UnexplainedPixels = 0;
-  std::vector<std::size_t> Unexplained; // but for the dependent ones
+  std::vector<std::size_t> Independent; // of the unexplained ones
   vtkIdType Fragments = 0;
   vtkIdType LongestList = 0;
 };
