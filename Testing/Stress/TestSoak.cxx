@@ -11,7 +11,6 @@
 #include "Picture.h"
 #include "SceneBuilder.h"
 
-#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkExactTransparencyPass.h"
 #include "vtkMapper.h"
@@ -77,9 +76,11 @@ public:
   {
     SceneDescription scene;
     scene.ParallelProjection = false;
-    scene.Props = { DescribeLines(0), DescribeSurface(false), DescribeSurface(true) };
+    scene.Props = { DescribeSurface(false), DescribeSurface(true) };
     scene.Props.back().Seed = 3;
     this->Renderer = pellucid::MakeRenderer(scene, pellucid::BuildOrder::Forward);
+    this->Lines = pellucid::MakeActor(scene, DescribeLines(0), pellucid::BuildOrder::Forward);
+    this->Renderer->AddActor(this->Lines);
     this->Camera->DeepCopy(this->Renderer->GetActiveCamera());
     this->Pass = vtkTransparencyInstaller::Install(this->Renderer);
     this->Open(shared);
@@ -155,23 +156,10 @@ private:
     }
   }
 
-  vtkActor* GetLines()
-  {
-    vtkActorCollection* actors = this->Renderer->GetActors();
-    vtkCollectionSimpleIterator cookie;
-    actors->InitTraversal(cookie);
-    vtkActor* actor = actors->GetNextActor(cookie);
-    while (!vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(actor)))
-    {
-      actor = actors->GetNextActor(cookie);
-    }
-    return actor;
-  }
-
   void ReplaceLines(const PropDescription& prop)
   {
     const auto data = pellucid::MakeData(SceneDescription(), prop, pellucid::BuildOrder::Forward);
-    this->GetLines()->GetMapper()->SetInputDataObject(0, data);
+    this->Lines->GetMapper()->SetInputDataObject(0, data);
   }
 
   void ToggleVisitor()
@@ -190,15 +178,16 @@ private:
   void SetParameters(int step)
   {
     auto* optimization =
-      vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(this->GetLines()));
+      vtkOpacityOptimization::SafeDownCast(vtkImportanceDrivenOpacity::Get(this->Lines));
     optimization->SetOcclusionWeight(step % 3 * 50.0);
     optimization->SetSmoothingIterations(step % 2 * 5);
-    this->GetLines()->GetProperty()->SetOpacity(0.3 + 0.1 * (step % 5));
-    this->GetLines()->SetVisibility(step % 6 != 5);
+    this->Lines->GetProperty()->SetOpacity(0.3 + 0.1 * (step % 5));
+    this->Lines->SetVisibility(step % 6 != 5);
   }
 
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkActor> Lines;
   vtkNew<vtkCamera> Camera;
   vtkExactTransparencyPass* Pass;
   vtkSmartPointer<vtkActor> Visitor;
