@@ -300,12 +300,12 @@ void WriteTables(const Figures& figures, const std::string& fileName)
 void PrintTables(const Figures& figures, std::ostream& stream)
 {
   const Machine& machine = figures.Where;
-  stream << machine.Date << ", Pellucid " << machine.Pellucid << ", " << machine.Renderer
-         << ", VTK " << machine.VTK << ", " << machine.Processor << ", " << machine.Threads
-         << " threads. Bold: no other method is as fast with an error as "
-         << "small. Left out: pixels at edges or of no order, which errors say nothing of, as a "
-            "part of those with "
-            "anything translucent.\n";
+  stream
+    << machine.Date << ", Pellucid " << machine.Pellucid << ", " << machine.Renderer << ", VTK "
+    << machine.VTK << ", " << machine.Processor << ", " << machine.Threads
+    << " threads. Bold: no other method is as fast with an error as small. Left out: pixels at "
+       "edges or of no order, which errors say nothing of, as a part of those with anything "
+       "translucent.\n";
   const Row* previous = nullptr;
   for (const Row& row : figures.Rows)
   {
